@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef CGAL_BALANCED_FLOW_COVARIANCE_CURVATURE_H
+#define CGAL_BALANCED_FLOW_COVARIANCE_CURVATURE_H
+
+#include <CGAL/Balanced_flow/Neighborhood_3.h>
+#include <CGAL/Balanced_flow/internal/Covariance_3.h>
+
+namespace CGAL {
+namespace Point_set_flow {
+
+/// \ingroup PkgBalancedFlowRef
+/// What a curvature estimator says of one point.
+struct Curvature_3 {
+  Vector_3 normal;              ///< a unit vector; its side does not matter
+  double variation;             ///< without unit, at least 0, 0 where the surface is flat
+  double directional_curvature; ///< a length, signed along `normal`
+};
+
+/// \ingroup PkgBalancedFlowRef
+/// The curvature of the paper, by covariance analysis: Eq. (1), (2) and (3).
+///
+/// The surface variation has no unit, but Eq. (4) uses it as a speed. So that the result does not
+/// depend on the unit of the data, the directional curvature is
+/// \f$\bar\kappa_i = \mathrm{sign}\cdot\sigma_n\cdot r\f$ with the neighbourhood radius \f$r\f$.
+///
+/// \cgalModels `PointSetCurvature`
+class Covariance_curvature {
+public:
+  /// Eq. (1) to (3)
+  Curvature_3 operator()(const Neighborhood_3& neighborhood) const
+  {
+    const internal::Smallest_eigenpair_3 pair = internal::smallest_eigenpair(covariance(neighborhood));
+    const double sign = direction(neighborhood, pair.vector) >= 0. ? 1. : -1.;
+    return {pair.vector, pair.variation, sign * pair.variation * neighborhood.radius()};
+  }
+
+  /// Eq. (2) alone
+  double variation(const Neighborhood_3& neighborhood) const
+  {
+    return internal::smallest_eigenpair(covariance(neighborhood)).variation;
+  }
+
+  /// Dire of Eq. (3): the Gaussian-weighted mean of \f$(n, p - u)\f$ over the neighbours \f$u\f$
+  static double direction(const Neighborhood_3& neighborhood, const Vector_3& normal)
+  {
+    double sum = 0., weights = 0.;
+    for (std::size_t j = 0; j < neighborhood.size(); ++j) {
+      const Vector_3 d = neighborhood.center() - neighborhood[j];
+      const double weight = neighborhood.gaussian(d.squared_length());
+      sum += weight * (normal * d);
+      weights += weight;
+    }
+    return weights > 0. ? sum / weights : 0.;
+  }
+
+private:
+  static internal::Covariance_3 covariance(const Neighborhood_3& neighborhood)
+  {
+    return internal::Covariance_3(neighborhood);
+  }
+};
+
+} // namespace Point_set_flow
+} // namespace CGAL
+
+#endif // CGAL_BALANCED_FLOW_COVARIANCE_CURVATURE_H

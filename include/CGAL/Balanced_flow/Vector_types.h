@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef CGAL_BALANCED_FLOW_VECTOR_TYPES_H
+#define CGAL_BALANCED_FLOW_VECTOR_TYPES_H
+
+#include <CGAL/Simple_cartesian.h>
+
+namespace CGAL {
+namespace Point_set_flow {
+
+/// \ingroup PkgBalancedFlowRef
+/// The geometry of the numeric core: whatever the kernel of the caller, also with `float`
+/// coordinates, the flow is computed in double precision.
+/// @{
+typedef Simple_cartesian<double> Core_kernel;
+typedef Core_kernel::Point_3 Point_3;
+typedef Core_kernel::Vector_3 Vector_3;
+/// @}
+
+} // namespace Point_set_flow
+} // namespace CGAL
+
+#endif // CGAL_BALANCED_FLOW_VECTOR_TYPES_H

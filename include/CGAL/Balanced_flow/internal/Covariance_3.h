@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef CGAL_BALANCED_FLOW_INTERNAL_COVARIANCE_3_H
+#define CGAL_BALANCED_FLOW_INTERNAL_COVARIANCE_3_H
+
+#include <CGAL/Balanced_flow/Neighborhood_3.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+namespace CGAL {
+namespace Point_set_flow {
+namespace internal {
+
+/// Eq. (1): the covariance matrix of a point and its neighbours about their centroid.
+struct Covariance_3 {
+  double xx = 0., xy = 0., xz = 0., yy = 0., yz = 0., zz = 0.;
+
+  Covariance_3() = default;
+
+  explicit Covariance_3(const Neighborhood_3& neighborhood)
+  {
+    const Point_3& p = neighborhood.center();
+    // two passes: the smallest eigenvalue of a nearly flat neighbourhood would not survive the
+    // difference of two large sums
+    Vector_3 mean(0., 0., 0.);
+    for (std::size_t j = 0; j < neighborhood.size(); ++j)
+      mean = mean + (neighborhood[j] - p);
+    mean = mean / double(neighborhood.size() + 1);
+
+    add(-mean);
+    for (std::size_t j = 0; j < neighborhood.size(); ++j)
+      add((neighborhood[j] - p) - mean);
+  }
+
+  void add(const Vector_3& d)
+  {
+    xx += d.x() * d.x(), xy += d.x() * d.y(), xz += d.x() * d.z();
+    yy += d.y() * d.y(), yz += d.y() * d.z(), zz += d.z() * d.z();
+  }
+};
+
+/// The direction of least variance and, Eq. (2), its share of the whole variance.
+struct Smallest_eigenpair_3 {
+  Vector_3 vector;
+  double variation;
+};
+
+/// Cyclic Jacobi rotations: short, free of special cases where eigenvalues meet, and accurate for
+/// the smallest eigenvalue, where closed formulas lose half of the digits.
+inline Smallest_eigenpair_3 smallest_eigenpair(const Covariance_3& c)
+{
+  const double trace = c.xx + c.yy + c.zz;
+  if (!(trace > (std::numeric_limits<double>::min)()))
+    return {Vector_3(0., 0., 1.), 0.}; // all points in one place
+
+  double a[3][3] = {{c.xx, c.xy, c.xz}, {c.xy, c.yy, c.yz}, {c.xz, c.yz, c.zz}};
+  double v[3][3] = {{1., 0., 0.}, {0., 1., 0.}, {0., 0., 1.}}; // rows are the eigenvectors
+  const double negligible = trace * (std::numeric_limits<double>::epsilon)() * .01;
+
+  for (int sweep = 0; sweep < 12; ++sweep) {
+    if (std::abs(a[0][1]) + std::abs(a[0][2]) + std::abs(a[1][2]) <= negligible)
+      break;
+    for (int p = 0; p < 2; ++p)
+      for (int q = p + 1; q < 3; ++q) {
+        if (a[p][q] == 0.)
+          continue;
+        const double theta = (a[q][q] - a[p][p]) / (2. * a[p][q]);
+        const double t = std::copysign(1., theta) / (std::abs(theta) + std::hypot(theta, 1.));
+        const double cosine = 1. / std::sqrt(t * t + 1.), sine = t * cosine;
+        const int r = 3 - p - q;
+        const double apr = a[p][r], aqr = a[q][r];
+        a[p][p] -= t * a[p][q];
+        a[q][q] += t * a[p][q];
+        a[p][q] = a[q][p] = 0.;
+        a[p][r] = a[r][p] = cosine * apr - sine * aqr;
+        a[q][r] = a[r][q] = sine * apr + cosine * aqr;
+        for (int i = 0; i < 3; ++i) {
+          const double vp = v[p][i], vq = v[q][i];
+          v[p][i] = cosine * vp - sine * vq;
+          v[q][i] = sine * vp + cosine * vq;
+        }
+      }
+  }
+  const int least = a[0][0] <= a[1][1] ? (a[0][0] <= a[2][2] ? 0 : 2) : (a[1][1] <= a[2][2] ? 1 : 2);
+  const Vector_3 vector(v[least][0], v[least][1], v[least][2]);
+  return {vector / std::sqrt(vector.squared_length()), (std::max)(a[least][least], 0.) / trace};
+}
+
+} // namespace internal
+} // namespace Point_set_flow
+} // namespace CGAL
+
+#endif // CGAL_BALANCED_FLOW_INTERNAL_COVARIANCE_3_H

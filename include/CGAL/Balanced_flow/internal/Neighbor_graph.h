@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef CGAL_BALANCED_FLOW_INTERNAL_NEIGHBOR_GRAPH_H
+#define CGAL_BALANCED_FLOW_INTERNAL_NEIGHBOR_GRAPH_H
+
+#include <CGAL/Balanced_flow/Neighborhood_3.h>
+#include <CGAL/Balanced_flow/internal/Neighbor_tree.h>
+#include <CGAL/Balanced_flow/internal/for_each_block.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace CGAL {
+namespace Point_set_flow {
+namespace internal {
+
+/// The nearest neighbours of all points, in one flat array.
+class Neighbor_graph {
+  std::size_t m_stride;
+  std::vector<std::uint32_t> m_neighbors; // m_stride entries for each point
+  std::vector<std::uint32_t> m_sizes;     // empty if each point has m_stride neighbours
+  std::vector<double> m_radii;            // the distance of the farthest neighbour
+
+public:
+  /// \param radius the distance beyond which there are no neighbours, 0 for no limit
+  template <typename ConcurrencyTag>
+  Neighbor_graph(ConcurrencyTag, const Neighbor_tree& tree, std::size_t k, double radius,
+                 Progress& progress, double work)
+      : m_stride(tree.points().empty() ? 0 : (std::min)(k, tree.points().size() - 1))
+  {
+    const std::size_t n = tree.points().size();
+    m_neighbors.resize(n * m_stride);
+    m_radii.resize(n);
+    if (radius > 0.)
+      m_sizes.resize(n);
+    if (m_stride == 0)
+      return;
+
+    for_each_block<ConcurrencyTag>(n, progress, work, [&](std::size_t begin, std::size_t end) {
+      Neighbor_tree::Query query(tree, m_stride, radius);
+      for (std::size_t i = begin; i < end; ++i) {
+        const std::vector<Neighbor_tree::Neighbor>& found = query(i);
+        for (std::size_t j = 0; j < found.size(); ++j)
+          m_neighbors[i * m_stride + j] = found[j].index;
+        m_radii[i] = found.empty() ? 0. : std::sqrt(found.back().squared_distance);
+        if (!m_sizes.empty())
+          m_sizes[i] = static_cast<std::uint32_t>(found.size());
+      }
+    });
+  }
+
+  /// \param points where the points are now
+  /// \param filter_width the width of the Gaussian in multiples of the neighbourhood radius
+  Neighborhood_3 neighborhood(const std::vector<Point_3>& points, std::size_t i,
+                              double filter_width) const
+  {
+    return Neighborhood_3(points.data(), i, m_neighbors.data() + i * m_stride,
+                          m_sizes.empty() ? m_stride : m_sizes[i], m_radii[i], filter_width);
+  }
+};
+
+} // namespace internal
+} // namespace Point_set_flow
+} // namespace CGAL
+
+#endif // CGAL_BALANCED_FLOW_INTERNAL_NEIGHBOR_GRAPH_H

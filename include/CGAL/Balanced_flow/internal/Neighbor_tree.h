@@ -1,0 +1,154 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef CGAL_BALANCED_FLOW_INTERNAL_NEIGHBOR_TREE_H
+#define CGAL_BALANCED_FLOW_INTERNAL_NEIGHBOR_TREE_H
+
+#include <CGAL/Balanced_flow/Vector_types.h>
+#include <CGAL/Kd_tree.h>
+#include <CGAL/Search_traits_3.h>
+#include <CGAL/Search_traits_adapter.h>
+#include <CGAL/Splitters.h>
+#include <CGAL/property_map.h>
+
+#include <boost/iterator/counting_iterator.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <vector>
+
+namespace CGAL {
+namespace Point_set_flow {
+namespace internal {
+
+/// CGAL's kd-tree over an array of points, with a search of its own: it keeps its result in one
+/// sorted buffer of the caller and starts from what the query before it found. That makes it
+/// several times faster than `Orthogonal_k_neighbor_search` for points in spatial order.
+class Neighbor_tree {
+  typedef Pointer_property_map<Point_3>::const_type Point_map;
+  typedef Search_traits_adapter<std::size_t, Point_map, Search_traits_3<Core_kernel>> Traits;
+  typedef Median_of_max_spread<Traits> Splitter;
+  typedef Kd_tree<Traits, Splitter, Tag_true> Tree;
+
+  const std::vector<Point_3>& m_points;
+  Tree m_tree;
+
+public:
+  struct Neighbor {
+    double squared_distance;
+    std::uint32_t index;
+    bool operator<(const Neighbor& other) const // equal distances: the order of the points decides
+    {
+      return squared_distance < other.squared_distance ||
+             (squared_distance == other.squared_distance && index < other.index);
+    }
+  };
+
+  template <typename ConcurrencyTag>
+  Neighbor_tree(ConcurrencyTag, const std::vector<Point_3>& points)
+      : m_points(points), m_tree(boost::counting_iterator<std::size_t>(0),
+                                 boost::counting_iterator<std::size_t>(points.size()), Splitter(16),
+                                 Traits(make_property_map(points)))
+  {
+    if (!points.empty())
+      m_tree.build<ConcurrencyTag>();
+  }
+
+  Neighbor_tree(const Neighbor_tree&) = delete;
+  Neighbor_tree& operator=(const Neighbor_tree&) = delete;
+
+  const std::vector<Point_3>& points() const { return m_points; }
+
+  /// One thread's search for the `k` nearest neighbours of points of the array.
+  class Query {
+    typedef Tree::Node_const_handle Node;
+    typedef Tree::Leaf_node_const_handle Leaf;
+    typedef Tree::Internal_node_const_handle Internal;
+
+    const Neighbor_tree& m_owner;
+    std::size_t m_k;
+    double m_largest; // no neighbour is farther than this squared distance
+    double m_bound = 0.;
+    std::size_t m_center = 0;
+    std::array<double, 3> m_query = {{0., 0., 0.}};
+    std::vector<Neighbor> m_found;
+
+  public:
+    /// \param radius the distance beyond which there are no neighbours, 0 for no limit
+    Query(const Neighbor_tree& tree, std::size_t k, double radius = 0.)
+        : m_owner(tree), m_k(k),
+          m_largest(radius > 0. ? radius * radius : (std::numeric_limits<double>::infinity)())
+    {
+      m_found.reserve(k + 1);
+    }
+
+    /// The nearest neighbours of point `i`, without itself, nearest first.
+    const std::vector<Neighbor>& operator()(std::size_t i)
+    {
+      const Point_3& p = m_owner.m_points[i];
+      m_bound = m_largest;
+      if (m_found.size() == m_k) {
+        // the ball of the previous answer holds k points other than this one: so does, around
+        // this point, a ball larger by the distance of the two
+        const double moved = std::sqrt(squared_distance(p, m_owner.m_points[m_center]));
+        const double radius = std::sqrt(m_found.back().squared_distance) + moved;
+        m_bound = (std::min)(m_bound, radius * radius * (1. + 1e-12));
+      }
+      m_found.clear();
+      m_center = i;
+      m_query = {{p.x(), p.y(), p.z()}};
+      visit(m_owner.m_tree.root(), {{0., 0., 0.}});
+      return m_found;
+    }
+
+  private:
+    /// \param offset the distance from the query to the box of the node in each coordinate
+    void visit(Node node, const std::array<double, 3>& offset)
+    {
+      if (node->is_leaf()) {
+        const Leaf leaf = static_cast<Leaf>(node);
+        for (auto it = leaf->begin(); it != leaf->end(); ++it)
+          offer(*it);
+        return;
+      }
+      const Internal inner = static_cast<Internal>(node);
+      const std::size_t d = std::size_t(inner->cutting_dimension());
+      const double below = m_query[d] - inner->lower_high_value();
+      const double above = inner->upper_low_value() - m_query[d];
+      const bool lower_first = above >= below;
+      visit(lower_first ? inner->lower() : inner->upper(), offset);
+
+      std::array<double, 3> far = offset;
+      far[d] = (std::max)(far[d], lower_first ? above : below);
+      // the sum in the order of squared_distance(): rounding can not make a box farther than the
+      // points in it
+      if (far[0] * far[0] + far[1] * far[1] + far[2] * far[2] <= m_bound)
+        visit(lower_first ? inner->upper() : inner->lower(), far);
+    }
+
+    void offer(std::size_t i)
+    {
+      const Point_3& p = m_owner.m_points[i];
+      const double x = m_query[0] - p.x(), y = m_query[1] - p.y(), z = m_query[2] - p.z();
+      const Neighbor candidate = {x * x + y * y + z * z, static_cast<std::uint32_t>(i)};
+      if (!(candidate.squared_distance <= m_bound) || i == m_center)
+        return;
+      if (m_found.size() == m_k) {
+        if (!(candidate < m_found.back()))
+          return;
+        m_found.pop_back();
+      }
+      m_found.insert(std::upper_bound(m_found.begin(), m_found.end(), candidate), candidate);
+      if (m_found.size() == m_k)
+        m_bound = m_found.back().squared_distance;
+    }
+  };
+};
+
+} // namespace internal
+} // namespace Point_set_flow
+} // namespace CGAL
+
+#endif // CGAL_BALANCED_FLOW_INTERNAL_NEIGHBOR_TREE_H

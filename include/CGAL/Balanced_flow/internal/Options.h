@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef CGAL_BALANCED_FLOW_INTERNAL_OPTIONS_H
+#define CGAL_BALANCED_FLOW_INTERNAL_OPTIONS_H
+
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <optional>
+#include <sstream>
+#include <stdexcept>
+#include <string>
+#include <type_traits>
+
+namespace CGAL {
+namespace Point_set_flow {
+namespace internal {
+
+/// The error that every check of this package throws: names the argument and shows the value.
+template <typename T>
+[[noreturn]] void throw_bad_argument(const std::string& argument, const T& value,
+                                     const std::string& requirement)
+{
+  std::ostringstream message;
+  message.precision(17);
+  message << "CGAL::balanced_flow_smooth_point_set: " << argument << " is " << value << ", but "
+          << requirement;
+  throw std::invalid_argument(message.str());
+}
+
+/// The parameters of a run as plain numbers. Documented at `balanced_flow_smooth_point_set()`.
+struct Options {
+  std::optional<unsigned int> k; // chosen from the data if not set
+  double neighbor_radius = 0.;   // 0: no limit
+  unsigned int number_of_iterations = 12;
+  double sharpness_angle = 30.;
+  std::optional<double> feature_threshold; // from the sharpness angle and the data if not set
+  double filter_width = .3;
+  double step_length = .75;
+  unsigned int update_period = 4; // 0: never
+
+  void check() const
+  {
+    if (k && *k < 2)
+      throw_bad_argument("k", *k, "at least 2 neighbors are needed");
+    check_not_negative("neighbor_radius", neighbor_radius);
+    if (!(sharpness_angle > 0. && sharpness_angle <= 180.))
+      throw_bad_argument("sharpness_angle", sharpness_angle, "must be in (0, 180] degrees");
+    if (feature_threshold)
+      check_not_negative("feature_threshold", *feature_threshold);
+    check_not_negative("filter_width", filter_width);
+    check_not_negative("step_length", step_length);
+  }
+
+private:
+  static void check_not_negative(const char* argument, double value)
+  {
+    if (!(value >= 0. && std::isfinite(value)))
+      throw_bad_argument(argument, value, "must be finite and not negative");
+  }
+};
+
+/// Converts a number of any type that a user may pass for a count.
+template <typename Number>
+unsigned int to_count(const char* argument, Number value)
+{
+  static_assert(std::is_arithmetic<Number>::value, "a number is expected here");
+  const double number = static_cast<double>(value);
+  if (!(number >= 0. && number <= double((std::numeric_limits<std::int32_t>::max)()) &&
+        std::floor(number) == number))
+    throw_bad_argument(argument, value, "must be a whole number, 0 or larger");
+  return static_cast<unsigned int>(value);
+}
+
+} // namespace internal
+} // namespace Point_set_flow
+} // namespace CGAL
+
+#endif // CGAL_BALANCED_FLOW_INTERNAL_OPTIONS_H

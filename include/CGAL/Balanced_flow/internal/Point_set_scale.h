@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef CGAL_BALANCED_FLOW_INTERNAL_POINT_SET_SCALE_H
+#define CGAL_BALANCED_FLOW_INTERNAL_POINT_SET_SCALE_H
+
+#include <CGAL/Balanced_flow/internal/Covariance_3.h>
+#include <CGAL/Balanced_flow/internal/Neighbor_tree.h>
+#include <CGAL/Balanced_flow/internal/for_each_block.h>
+#include <CGAL/number_type_config.h>
+
+#include <Eigen/Dense>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Point_set_flow {
+namespace internal {
+
+/// The deviation of points from a quadric fitted to them by least squares, with the degrees of
+/// freedom of the quadric taken off: the noise, if the surface is smooth at this size.
+/// \param neighbors the first entry is the point itself
+inline double quadric_residual(const std::vector<Point_3>& points,
+                               const std::vector<std::uint32_t>& neighbors, double radius)
+{
+  const Neighborhood_3 neighborhood(points.data(), neighbors[0], neighbors.data() + 1,
+                                    neighbors.size() - 1, radius, 1.);
+  const Vector_3 normal = smallest_eigenpair(Covariance_3(neighborhood)).vector;
+  const Vector_3 axis = std::abs(normal.x()) < .6 ? Vector_3(1., 0., 0.) : Vector_3(0., 1., 0.);
+  Vector_3 e1 = cross_product(normal, axis);
+  e1 = e1 / std::sqrt(e1.squared_length());
+  const Vector_3 e2 = cross_product(normal, e1);
+
+  const Eigen::Index m = Eigen::Index(neighbors.size());
+  Eigen::Matrix<double, Eigen::Dynamic, 6> terms(m, 6);
+  Eigen::VectorXd height(m);
+  for (Eigen::Index j = 0; j < m; ++j) {
+    const Vector_3 d = (points[neighbors[std::size_t(j)]] - neighborhood.center()) / radius;
+    const double x = d * e1, y = d * e2;
+    terms.row(j) << 1., x, y, x * x, x * y, y * y;
+    height[j] = d * normal;
+  }
+  const Eigen::VectorXd rest = height - terms * terms.colPivHouseholderQr().solve(height);
+  return radius * std::sqrt(rest.squaredNorm() / double(m - 6));
+}
+
+inline double median(std::vector<double>& values)
+{
+  const auto middle = values.begin() + std::ptrdiff_t(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
+}
+
+/// About 1,000 points spread evenly over the ranks of the distance to the centroid: the same ones
+/// however the points are moved, turned, scaled or numbered.
+inline std::vector<std::uint32_t> sample(const std::vector<Point_3>& points)
+{
+  Vector_3 mean(0., 0., 0.);
+  for (const Point_3& p : points)
+    mean = mean + (p - ORIGIN);
+  const Point_3 centroid = ORIGIN + mean / double(points.size());
+
+  std::vector<std::pair<double, std::uint32_t>> ranked(points.size());
+  for (std::size_t i = 0; i < points.size(); ++i)
+    ranked[i] = {squared_distance(points[i], centroid), static_cast<std::uint32_t>(i)};
+  std::sort(ranked.begin(), ranked.end());
+
+  const std::size_t count = (std::min)(points.size(), std::size_t(1000));
+  std::vector<std::uint32_t> chosen(count);
+  for (std::size_t i = 0; i < count; ++i)
+    chosen[i] = ranked[i * points.size() / count].second;
+  return chosen;
+}
+
+/// The noise and the spacing of a point set, and the neighbourhood size that suits them.
+struct Point_set_scale {
+  double noise = 0.;   ///< standard deviation of the distance to the surface
+  double spacing = 0.; ///< the side of the square that each point has for itself
+  unsigned int k = 20;    ///< within what the paper uses, 15 to 25, more where noise is thick
+
+  template <typename ConcurrencyTag>
+  Point_set_scale(ConcurrencyTag, const Neighbor_tree& tree, Progress& progress, double work)
+  {
+    const std::vector<Point_3>& points = tree.points();
+    std::vector<std::size_t> sizes = {12, 24, 48, 96, 192};
+    while (!sizes.empty() && sizes.back() >= points.size())
+      sizes.pop_back();
+    if (sizes.empty())
+      return;
+
+    const std::vector<std::uint32_t> chosen = sample(points);
+    std::vector<std::vector<double>> noises(sizes.size(), std::vector<double>(chosen.size()));
+    std::vector<std::vector<double>> radii = noises;
+    const auto measure = [&](std::size_t begin, std::size_t end) {
+      Neighbor_tree::Query query(tree, sizes.back());
+      std::vector<std::uint32_t> neighbors;
+      for (std::size_t i = begin; i < end; ++i) {
+        const std::vector<Neighbor_tree::Neighbor>& found = query(chosen[i]);
+        neighbors.assign(1, chosen[i]);
+        for (std::size_t s = 0; s < sizes.size(); ++s) {
+          while (neighbors.size() <= sizes[s])
+            neighbors.push_back(found[neighbors.size() - 1].index);
+          radii[s][i] = std::sqrt(found[sizes[s] - 1].squared_distance);
+          noises[s][i] = quadric_residual(points, neighbors, radii[s][i]);
+        }
+      }
+    };
+    for_each_block<ConcurrencyTag>(chosen.size(), progress, work, measure, 16);
+
+    // One small size can not tell noise from structure once the noise exceeds the spacing: take
+    // the first size whose neighbourhoods are large against the noise found in them.
+    std::size_t s = 0;
+    double radius = median(radii[0]);
+    noise = median(noises[0]);
+    while (s + 1 < sizes.size() && (radius < 4. * noise || sizes[s] < 48)) {
+      const bool wide_enough = radius >= 4. * noise;
+      radius = median(radii[++s]);
+      if (!wide_enough)
+        noise = median(noises[s]);
+    }
+    spacing = radius * std::sqrt(CGAL_PI / double(sizes[s]));
+    const double size = 28. * std::sqrt(noise / spacing);
+    k = static_cast<unsigned int>(std::round((std::min)((std::max)(size, 16.), 32.)));
+  }
+};
+
+} // namespace internal
+} // namespace Point_set_flow
+} // namespace CGAL
+
+#endif // CGAL_BALANCED_FLOW_INTERNAL_POINT_SET_SCALE_H

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef CGAL_BALANCED_FLOW_INTERNAL_COPY_OUT_H
+#define CGAL_BALANCED_FLOW_INTERNAL_COPY_OUT_H
+
+#include <CGAL/Balanced_flow/Vector_types.h>
+
+#include <cstddef>
+#include <exception>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Point_set_flow {
+namespace internal {
+
+/// Swaps the values of a property map with those of a vector. If the map throws, what was written
+/// so far is taken back: the map keeps its old values.
+template <typename Range, typename Map, typename Value>
+void exchange_values(Range& range, Map map, std::vector<Value>& values)
+{
+  std::size_t i = 0;
+  const auto exchange = [&](auto it) {
+    const Value old = get(map, *it);
+    put(map, *it, values[i]);
+    values[i] = old;
+  };
+  try {
+    for (auto it = range.begin(); it != range.end(); ++it, ++i)
+      exchange(it);
+  }
+  catch (...) {
+    const std::size_t written = i;
+    auto it = range.begin();
+    for (i = 0; i < written; ++it, ++i)
+      exchange(it);
+    throw;
+  }
+}
+
+} // namespace internal
+} // namespace Point_set_flow
+} // namespace CGAL
+
+#endif // CGAL_BALANCED_FLOW_INTERNAL_COPY_OUT_H

@@ -1,0 +1,176 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef CGAL_BALANCED_FLOW_INTERNAL_SMOOTH_POINT_SET_H
+#define CGAL_BALANCED_FLOW_INTERNAL_SMOOTH_POINT_SET_H
+
+#include <CGAL/Balanced_flow/Covariance_curvature.h>
+#include <CGAL/Balanced_flow/flows.h>
+#include <CGAL/Balanced_flow/internal/Options.h>
+#include <CGAL/Balanced_flow/internal/Point_buffer.h>
+#include <CGAL/Balanced_flow/internal/copy_in.h>
+#include <CGAL/Balanced_flow/internal/copy_out.h>
+#include <CGAL/Balanced_flow/internal/run_flow.h>
+#include <CGAL/Balanced_flow/parameters.h>
+#include <CGAL/boost/graph/named_params_helper.h>
+#include <CGAL/property_map.h>
+
+#include <functional>
+#include <limits>
+#include <optional>
+#include <type_traits>
+#include <vector>
+
+namespace CGAL {
+namespace Point_set_flow {
+namespace internal {
+
+template <typename NamedParameters, typename Tag>
+constexpr bool is_given = !parameters::is_default_parameter<NamedParameters, Tag>::value;
+
+/// The value of a named parameter if it is given, else the default.
+template <typename NamedParameters, typename Tag, typename Default>
+auto value_of(const NamedParameters& np, Tag tag, const Default& otherwise)
+{
+  if constexpr (is_given<NamedParameters, Tag>)
+    return parameters::get_parameter(np, tag);
+  else
+    return otherwise;
+}
+
+template <typename NamedParameters>
+Options read_options(const std::optional<unsigned int>& k, const NamedParameters& np)
+{
+  namespace cgal_np = CGAL::internal_np;
+  Options options;
+  options.k = k;
+  options.neighbor_radius = to_double(value_of(np, cgal_np::neighbor_radius, 0.));
+  options.number_of_iterations =
+      to_count("number_of_iterations",
+               value_of(np, cgal_np::number_of_iterations, options.number_of_iterations));
+  options.sharpness_angle =
+      to_double(value_of(np, cgal_np::sharpness_angle, options.sharpness_angle));
+  if constexpr (is_given<NamedParameters, internal_np::feature_threshold_t>)
+    options.feature_threshold =
+        to_double(parameters::get_parameter(np, internal_np::feature_threshold_t()));
+  options.filter_width =
+      to_double(value_of(np, internal_np::filter_width_t(), options.filter_width));
+  options.step_length = to_double(value_of(np, internal_np::step_length_t(), options.step_length));
+  options.update_period = to_count(
+      "update_period", value_of(np, internal_np::update_period_t(), options.update_period));
+  options.check();
+  return options;
+}
+
+/// Whether there are normals behind a map. `Point_set_3::parameters()` names a normal map even if
+/// the point set has no normals; such a map is `false` as a condition.
+template <typename NormalMap>
+bool has_values(const NormalMap& map)
+{
+  if constexpr (std::is_constructible<bool, const NormalMap&>::value)
+    return static_cast<bool>(map);
+  else
+    return true;
+}
+template <typename Key, typename Value> // stands for a normal map that was not given
+bool has_values(const Constant_property_map<Key, Value>&)
+{
+  return false;
+}
+
+/// From the range and the maps of the caller to plain arrays, through the flow, and back.
+/// Nothing of the caller is written before the flow has ended.
+template <typename ConcurrencyTag, typename PointRange, typename NamedParameters>
+double smooth_point_set(PointRange& points, const std::optional<unsigned int>& k,
+                        const NamedParameters& np)
+{
+  typedef Point_set_processing_3_np_helper<PointRange, NamedParameters> NP_helper;
+  typedef typename NP_helper::Geom_traits::FT FT;
+  typedef typename NP_helper::Geom_traits::Point_3 Kernel_point_3;
+  typedef typename NP_helper::Geom_traits::Vector_3 Kernel_vector_3;
+
+  const Options options = read_options(k, np);
+  const auto flow = value_of(np, internal_np::flow_t(), Balanced_flow());
+  const auto curvature = value_of(np, internal_np::curvature_t(), Covariance_curvature());
+  const std::function<bool(double)> callback =
+      value_of(np, CGAL::internal_np::callback, std::function<bool(double)>());
+  auto point_map = NP_helper::get_point_map(points, np);
+  auto normal_map = NP_helper::get_normal_map(points, np);
+
+  if (points.begin() == points.end())
+    return 0.;
+  const Frame frame = find_frame(points, point_map, "points");
+  const std::vector<Point_3> input = copy_in(points, point_map, frame);
+  std::vector<Point_3> start;
+  if constexpr (is_given<NamedParameters, internal_np::initial_point_map_t>) {
+    const auto start_map = parameters::get_parameter(np, internal_np::initial_point_map_t());
+    find_frame(points, start_map, "initial_point_map"); // only for its check
+    start = copy_in(points, start_map, frame);
+  }
+  std::vector<char> fixed;
+  if constexpr (is_given<NamedParameters, CGAL::internal_np::point_is_constrained_t>) {
+    const auto map = parameters::get_parameter(np, CGAL::internal_np::point_is_constrained);
+    for (auto it = points.begin(); it != points.end(); ++it)
+      fixed.push_back(get(map, *it) ? 1 : 0);
+  }
+
+  try {
+    typedef std::decay_t<decltype(flow)> Flow;
+    const ConcurrencyTag tag = ConcurrencyTag();
+    Progress progress(callback, work::total(options, Uses_prefilter<Flow>::value));
+    progress.advance(0.);
+    Point_buffer buffer(tag, input, start, fixed);
+    progress.advance(work::order);
+    Options scaled = options;
+    scaled.neighbor_radius /= frame.unit;
+    const Neighbor_graph graph = make_graph(tag, buffer, scaled, progress);
+    const double moved =
+        run_flow(tag, buffer, graph, scaled, frame.unit, flow, curvature, progress);
+
+    std::vector<Kernel_vector_3> new_normals;
+    if (has_values(normal_map)) {
+      const std::vector<Vector_3> normals =
+          find_normals(tag, buffer, graph, options, curvature, progress);
+      std::size_t i = 0;
+      for (auto it = points.begin(); it != points.end(); ++it, ++i) {
+        const Vector_3& n = normals[buffer.site_of[i]];
+        const Kernel_vector_3& given = get(normal_map, *it);
+        const double side = to_double(given.x()) * n.x() + to_double(given.y()) * n.y() +
+                            to_double(given.z()) * n.z();
+        const double sign = side < 0. ? -1. : 1.;
+        new_normals.push_back(
+            Kernel_vector_3(FT(sign * n.x()), FT(sign * n.y()), FT(sign * n.z())));
+      }
+    }
+
+    std::vector<Kernel_point_3> new_points;
+    std::size_t i = 0;
+    for (auto it = points.begin(); it != points.end(); ++it, ++i) {
+      // adding the movement, rather than going back from the frame, keeps all digits of points
+      // that do not move
+      const Kernel_point_3& p = get(point_map, *it);
+      const Vector_3 d = (buffer.points[buffer.site_of[i]] - input[i]) * frame.unit;
+      new_points.push_back(Kernel_point_3(p.x() + FT(d.x()), p.y() + FT(d.y()), p.z() + FT(d.z())));
+    }
+
+    progress.finish();
+    exchange_values(points, point_map, new_points);
+    if (!new_normals.empty()) {
+      try {
+        exchange_values(points, normal_map, new_normals);
+      }
+      catch (...) {
+        exchange_values(points, point_map, new_points);
+        throw;
+      }
+    }
+    return moved * frame.unit;
+  }
+  catch (const Cancelled&) {
+    return (std::numeric_limits<double>::quiet_NaN)();
+  }
+}
+
+} // namespace internal
+} // namespace Point_set_flow
+} // namespace CGAL
+
+#endif // CGAL_BALANCED_FLOW_INTERNAL_SMOOTH_POINT_SET_H

@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef CGAL_BALANCED_FLOW_PARAMETERS_H
+#define CGAL_BALANCED_FLOW_PARAMETERS_H
+
+#include <CGAL/Named_function_parameters.h>
+
+namespace CGAL {
+namespace Point_set_flow {
+
+/// The tags by which the named parameters of this package are looked up.
+namespace internal_np {
+struct flow_t {};
+struct curvature_t {};
+struct feature_threshold_t {};
+struct filter_width_t {};
+struct step_length_t {};
+struct update_period_t {};
+struct initial_point_map_t {};
+} // namespace internal_np
+
+/// A pack of named parameters whose last one is of this package. Its members add another one of
+/// this package, or, by inheritance, one of \cgal's. What \cgal's return is a pack of \cgal's: this
+/// package's parameters come first.
+///
+/// \cgal has no way to add a named parameter from outside before its release 5.6 (`combine()`);
+/// this way works with all releases from 5.5 on.
+template <typename T, typename Tag, typename Base = CGAL::internal_np::No_property>
+struct Named_parameters : public Named_function_parameters<T, Tag, Base> {
+  using Named_function_parameters<T, Tag, Base>::Named_function_parameters;
+
+#define CGAL_BALANCED_FLOW_NAMED_PARAMETER(NAME)                                                   \
+  template <typename K>                                                                            \
+  Named_parameters<K, internal_np::NAME##_t, Named_parameters> NAME(const K& value) const          \
+  {                                                                                                \
+    return Named_parameters<K, internal_np::NAME##_t, Named_parameters>(value, *this);             \
+  }
+#include <CGAL/Balanced_flow/internal/parameters_interface.h>
+#undef CGAL_BALANCED_FLOW_NAMED_PARAMETER
+};
+
+} // namespace Point_set_flow
+
+namespace parameters {
+
+/// \addtogroup PkgBalancedFlowRef
+/// The named parameters of this package, documented at `balanced_flow_smooth_point_set()`: `flow`,
+/// `curvature`, `feature_threshold`, `filter_width`, `step_length`, `update_period` and
+/// `initial_point_map`. They start a pack, in any order, and those of \cgal follow.
+/// @{
+#define CGAL_BALANCED_FLOW_NAMED_PARAMETER(NAME)                                                   \
+  template <typename K>                                                                            \
+  Point_set_flow::Named_parameters<K, Point_set_flow::internal_np::NAME##_t> NAME(const K& value)  \
+  {                                                                                                \
+    return Point_set_flow::Named_parameters<K, Point_set_flow::internal_np::NAME##_t>(value);      \
+  }
+#include <CGAL/Balanced_flow/internal/parameters_interface.h>
+#undef CGAL_BALANCED_FLOW_NAMED_PARAMETER
+/// @}
+
+} // namespace parameters
+} // namespace CGAL
+
+#endif // CGAL_BALANCED_FLOW_PARAMETERS_H
