@@ -3,7 +3,7 @@
 #define CGAL_BALANCED_FLOW_INTERNAL_RUN_FLOW_H
 
 #include <CGAL/Balanced_flow/internal/Options.h>
-#include <CGAL/Balanced_flow/internal/Point_set_scale.h>
+#include <CGAL/Balanced_flow/internal/find_scale.h>
 #include <CGAL/Balanced_flow/internal/flow_step.h>
 #include <CGAL/Balanced_flow/internal/prefilter.h>
 
@@ -42,7 +42,7 @@ Neighbor_graph make_graph(ConcurrencyTag tag, const Point_buffer& buffer, const 
 {
   const Neighbor_tree tree(tag, buffer.points);
   const unsigned int k =
-      options.k ? *options.k : Point_set_scale(tag, tree, progress, work::scale).k;
+      options.k ? *options.k : find_scale(tag, tree, progress, work::scale).k;
   return Neighbor_graph(tag, tree, k, options.neighbor_radius, progress, work::graph);
 }
 

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#ifndef CGAL_BALANCED_FLOW_INTERNAL_POINT_SET_SCALE_H
-#define CGAL_BALANCED_FLOW_INTERNAL_POINT_SET_SCALE_H
+#ifndef CGAL_BALANCED_FLOW_INTERNAL_FIND_SCALE_H
+#define CGAL_BALANCED_FLOW_INTERNAL_FIND_SCALE_H
 
+#include <CGAL/Balanced_flow/Point_set_scale.h>
 #include <CGAL/Balanced_flow/internal/Covariance_3.h>
 #include <CGAL/Balanced_flow/internal/Neighbor_tree.h>
 #include <CGAL/Balanced_flow/internal/for_each_block.h>
@@ -75,60 +76,59 @@ inline std::vector<std::uint32_t> sample(const std::vector<Point_3>& points)
   return chosen;
 }
 
-/// The noise and the spacing of a point set, and the neighbourhood size that suits them.
-struct Point_set_scale {
-  double noise = 0.;   ///< standard deviation of the distance to the surface
-  double spacing = 0.; ///< the side of the square that each point has for itself
-  unsigned int k = 20;    ///< within what the paper uses, 15 to 25, more where noise is thick
+/// Finds the noise and the spacing of a point set.
+template <typename ConcurrencyTag>
+Point_set_scale find_scale(ConcurrencyTag, const Neighbor_tree& tree, Progress& progress,
+                           double work)
+{
+  Point_set_scale scale;
+  const std::vector<Point_3>& points = tree.points();
+  std::vector<std::size_t> sizes = {12, 24, 48, 96, 192};
+  while (!sizes.empty() && sizes.back() >= points.size())
+    sizes.pop_back();
+  if (sizes.empty())
+    return scale;
 
-  template <typename ConcurrencyTag>
-  Point_set_scale(ConcurrencyTag, const Neighbor_tree& tree, Progress& progress, double work)
-  {
-    const std::vector<Point_3>& points = tree.points();
-    std::vector<std::size_t> sizes = {12, 24, 48, 96, 192};
-    while (!sizes.empty() && sizes.back() >= points.size())
-      sizes.pop_back();
-    if (sizes.empty())
-      return;
-
-    const std::vector<std::uint32_t> chosen = sample(points);
-    std::vector<std::vector<double>> noises(sizes.size(), std::vector<double>(chosen.size()));
-    std::vector<std::vector<double>> radii = noises;
-    const auto measure = [&](std::size_t begin, std::size_t end) {
-      Neighbor_tree::Query query(tree, sizes.back());
-      std::vector<std::uint32_t> neighbors;
-      for (std::size_t i = begin; i < end; ++i) {
-        const std::vector<Neighbor_tree::Neighbor>& found = query(chosen[i]);
-        neighbors.assign(1, chosen[i]);
-        for (std::size_t s = 0; s < sizes.size(); ++s) {
-          while (neighbors.size() <= sizes[s])
-            neighbors.push_back(found[neighbors.size() - 1].index);
-          radii[s][i] = std::sqrt(found[sizes[s] - 1].squared_distance);
-          noises[s][i] = quadric_residual(points, neighbors, radii[s][i]);
-        }
+  const std::vector<std::uint32_t> chosen = sample(points);
+  std::vector<std::vector<double>> noises(sizes.size(), std::vector<double>(chosen.size()));
+  std::vector<std::vector<double>> radii = noises;
+  const auto measure = [&](std::size_t begin, std::size_t end) {
+    Neighbor_tree::Query query(tree, sizes.back());
+    std::vector<std::uint32_t> neighbors;
+    for (std::size_t i = begin; i < end; ++i) {
+      const std::vector<Neighbor_tree::Neighbor>& found = query(chosen[i]);
+      neighbors.assign(1, chosen[i]);
+      for (std::size_t s = 0; s < sizes.size(); ++s) {
+        while (neighbors.size() <= sizes[s])
+          neighbors.push_back(found[neighbors.size() - 1].index);
+        radii[s][i] = std::sqrt(found[sizes[s] - 1].squared_distance);
+        noises[s][i] = radii[s][i] > 0. ? quadric_residual(points, neighbors, radii[s][i]) : 0.;
       }
-    };
-    for_each_block<ConcurrencyTag>(chosen.size(), progress, work, measure, 16);
-
-    // One small size can not tell noise from structure once the noise exceeds the spacing: take
-    // the first size whose neighbourhoods are large against the noise found in them.
-    std::size_t s = 0;
-    double radius = median(radii[0]);
-    noise = median(noises[0]);
-    while (s + 1 < sizes.size() && (radius < 4. * noise || sizes[s] < 48)) {
-      const bool wide_enough = radius >= 4. * noise;
-      radius = median(radii[++s]);
-      if (!wide_enough)
-        noise = median(noises[s]);
     }
-    spacing = radius * std::sqrt(CGAL_PI / double(sizes[s]));
-    const double size = 28. * std::sqrt(noise / spacing);
-    k = static_cast<unsigned int>(std::round((std::min)((std::max)(size, 16.), 32.)));
+  };
+  for_each_block<ConcurrencyTag>(chosen.size(), progress, work, measure, 16);
+
+  // One small size can not tell noise from structure once the noise exceeds the spacing: take
+  // the first size whose neighbourhoods are large against the noise found in them.
+  std::size_t s = 0;
+  double radius = median(radii[0]);
+  scale.noise = median(noises[0]);
+  while (s + 1 < sizes.size() && (radius < 4. * scale.noise || sizes[s] < 48)) {
+    const bool wide_enough = radius >= 4. * scale.noise;
+    radius = median(radii[++s]);
+    if (!wide_enough)
+      scale.noise = median(noises[s]);
   }
-};
+  scale.spacing = radius * std::sqrt(CGAL_PI / double(sizes[s]));
+  if (!(scale.spacing > 0.)) // squared distances too small for double
+    return scale;
+  const double size = 28. * std::sqrt(scale.noise / scale.spacing);
+  scale.k = static_cast<unsigned int>(std::round((std::min)((std::max)(size, 16.), 32.)));
+  return scale;
+}
 
 } // namespace internal
 } // namespace Point_set_flow
 } // namespace CGAL
 
-#endif // CGAL_BALANCED_FLOW_INTERNAL_POINT_SET_SCALE_H
+#endif // CGAL_BALANCED_FLOW_INTERNAL_FIND_SCALE_H

@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef CGAL_BALANCED_FLOW_ESTIMATE_POINT_SET_SCALE_H
+#define CGAL_BALANCED_FLOW_ESTIMATE_POINT_SET_SCALE_H
+
+#include <CGAL/Balanced_flow/Point_set_scale.h>
+#include <CGAL/Balanced_flow/internal/Point_buffer.h>
+#include <CGAL/Balanced_flow/internal/copy_in.h>
+#include <CGAL/Balanced_flow/internal/find_scale.h>
+#include <CGAL/Named_function_parameters.h>
+#include <CGAL/boost/graph/named_params_helper.h>
+
+#include <functional>
+
+namespace CGAL {
+namespace Point_set_flow {
+
+/**
+   \ingroup PkgBalancedFlowRef
+
+   estimates the noise and the spacing of a point set, and with them the number of neighbours that
+   `balanced_flow_smooth_point_set()` takes if it is given none.
+
+   The noise is the median deviation of about 1,000 neighbourhoods from fitted quadrics. Of the
+   neighbourhood sizes 12, 24, 48, 96 and 192 it takes the first whose radius is at least four
+   times the noise found with it: smaller ones can not tell noise from structure.
+
+   \tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag` or `Parallel_if_available_tag`
+   \tparam PointRange is a model of `Range` with forward iterators. The value type of its iterator
+   is the key type of the named parameter `point_map`.
+
+   \param points input point range
+   \param np an optional sequence of \ref bgl_namedparameters "Named Parameters": `point_map` and
+   `geom_traits`, with the same meaning as for `balanced_flow_smooth_point_set()`
+
+   \return the estimates; noise and spacing are 0 where there are less than 13 distinct points
+
+   \throws std::invalid_argument if a coordinate is not finite
+
+   Complexity: that of sorting the points.
+*/
+template <typename ConcurrencyTag, typename PointRange,
+          typename NamedParameters = parameters::Default_named_parameters>
+Point_set_scale estimate_point_set_scale(const PointRange& points,
+                                         const NamedParameters& np = parameters::default_values())
+{
+  typedef Point_set_processing_3_np_helper<PointRange, NamedParameters> NP_helper;
+  const auto point_map = NP_helper::get_const_point_map(points, np);
+  const internal::Frame frame = internal::find_frame(points, point_map, "points");
+  const internal::Point_buffer buffer(ConcurrencyTag(),
+                                      internal::copy_in(points, point_map, frame), {}, {});
+  const internal::Neighbor_tree tree(ConcurrencyTag(), buffer.points);
+  const std::function<bool(double)> no_callback;
+  internal::Progress progress(no_callback, 1.);
+
+  Point_set_scale scale = internal::find_scale(ConcurrencyTag(), tree, progress, 1.);
+  scale.noise *= frame.unit;
+  scale.spacing *= frame.unit;
+  return scale;
+}
+
+} // namespace Point_set_flow
+} // namespace CGAL
+
+#endif // CGAL_BALANCED_FLOW_ESTIMATE_POINT_SET_SCALE_H

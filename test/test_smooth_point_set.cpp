@@ -1,0 +1,492 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The contract of balanced_flow_smooth_point_set(): drop-in use, invariances, cancelling, errors.
+#define BOOST_TEST_MODULE smooth_point_set
+#include <boost/test/included/unit_test.hpp>
+
+#include "shapes.h"
+
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Point_set_3.h>
+#include <CGAL/balanced_flow_smooth_point_set.h>
+#include <CGAL/Balanced_flow/estimate_point_set_scale.h>
+
+#include <deque>
+#include <list>
+#include <numeric>
+#include <tuple>
+
+namespace np = CGAL::parameters;
+using namespace CGAL::Point_set_flow;
+using shapes::Points;
+typedef CGAL::Sequential_tag Sequential;
+
+namespace {
+
+Points noisy_cube(int m = 16, double sigma = .02)
+{
+  Points points = shapes::cube(m);
+  shapes::add_noise(points, sigma);
+  return points;
+}
+
+Points smoothed(Points points)
+{
+  CGAL::balanced_flow_smooth_point_set<Sequential>(points, 20);
+  return points;
+}
+
+double largest_difference(const Points& a, const Points& b)
+{
+  double largest = 0.;
+  for (std::size_t i = 0; i < a.size(); ++i)
+    largest = (std::max)(largest, CGAL::squared_distance(a[i], b[i]));
+  return std::sqrt(largest);
+}
+
+/// The points of a range, read through a map
+template <typename Range, typename Map>
+Points points_of(const Range& range, Map map)
+{
+  Points points;
+  for (const auto& key : range) {
+    const auto& p = get(map, key);
+    points.emplace_back(p.x(), p.y(), p.z());
+  }
+  return points;
+}
+
+} // namespace
+
+// ---- drop-in use: whatever the range, the result is that of a vector of points
+
+BOOST_AUTO_TEST_CASE(any_range_and_kernel)
+{
+  const Points noisy = noisy_cube(), expected = smoothed(noisy);
+  BOOST_TEST(largest_difference(noisy, expected) > .01);
+
+  std::deque<shapes::Point_3> deque(noisy.begin(), noisy.end());
+  CGAL::balanced_flow_smooth_point_set<Sequential>(deque, 20);
+  BOOST_TEST((Points(deque.begin(), deque.end()) == expected));
+
+  std::list<shapes::Point_3> list(noisy.begin(), noisy.end());
+  CGAL::balanced_flow_smooth_point_set<Sequential>(list, 20);
+  BOOST_TEST((Points(list.begin(), list.end()) == expected));
+
+  typedef CGAL::Exact_predicates_inexact_constructions_kernel Epick;
+  std::vector<Epick::Point_3> epick;
+  for (const auto& p : noisy)
+    epick.emplace_back(p.x(), p.y(), p.z());
+  CGAL::balanced_flow_smooth_point_set<CGAL::Parallel_if_available_tag>(epick, 20);
+  BOOST_TEST((points_of(epick, CGAL::Identity_property_map<Epick::Point_3>()) == expected));
+
+  typedef CGAL::Simple_cartesian<float> Float_kernel;
+  std::vector<Float_kernel::Point_3> floats;
+  for (const auto& p : noisy)
+    floats.emplace_back(float(p.x()), float(p.y()), float(p.z()));
+  CGAL::balanced_flow_smooth_point_set<Sequential>(floats, 20);
+  BOOST_TEST(largest_difference(points_of(floats, CGAL::Identity_property_map<Float_kernel::Point_3>()),
+                                expected) < 1e-5);
+}
+
+BOOST_AUTO_TEST_CASE(pairs_tuples_and_indices)
+{
+  const Points noisy = noisy_cube(), expected = smoothed(noisy);
+
+  typedef std::pair<shapes::Point_3, shapes::Vector_3> Pair;
+  std::vector<Pair> pairs;
+  for (const auto& p : noisy)
+    pairs.emplace_back(p, CGAL::NULL_VECTOR);
+  CGAL::First_of_pair_property_map<Pair> first;
+  CGAL::Second_of_pair_property_map<Pair> second;
+  CGAL::balanced_flow_smooth_point_set<Sequential>(pairs, 20, np::point_map(first).normal_map(second));
+  BOOST_TEST((points_of(pairs, first) == expected));
+  for (const Pair& pair : pairs)
+    BOOST_REQUIRE(std::abs(pair.second.squared_length() - 1.) < 1e-12);
+
+  typedef std::tuple<int, shapes::Point_3, std::string> Tuple;
+  std::vector<Tuple> tuples;
+  for (const auto& p : noisy)
+    tuples.emplace_back(int(tuples.size()), p, "label");
+  CGAL::Nth_of_tuple_property_map<1, Tuple> nth;
+  CGAL::balanced_flow_smooth_point_set<Sequential>(tuples, 20, np::point_map(nth));
+  BOOST_TEST((points_of(tuples, nth) == expected));
+  BOOST_TEST(std::get<0>(tuples[7]) == 7);
+
+  // a range of indices: only every second point takes part
+  Points coordinates = noisy, half;
+  std::vector<std::size_t> indices;
+  for (std::size_t i = 0; i < noisy.size(); i += 2) {
+    indices.push_back(i);
+    half.push_back(noisy[i]);
+  }
+  CGAL::balanced_flow_smooth_point_set<Sequential>(indices, 20,
+                                                   np::point_map(CGAL::make_property_map(coordinates)));
+  const Points expected_half = smoothed(half);
+  for (std::size_t i = 0; i < noisy.size(); ++i)
+    BOOST_REQUIRE((coordinates[i] == (i % 2 == 0 ? expected_half[i / 2] : noisy[i])));
+}
+
+BOOST_AUTO_TEST_CASE(point_set_3)
+{
+  const Points noisy = noisy_cube(), expected = smoothed(noisy);
+  typedef CGAL::Point_set_3<shapes::Point_3> Point_set;
+  Point_set bare;
+  for (const auto& p : noisy)
+    bare.insert(p);
+  Point_set with_normals = bare;
+  with_normals.add_normal_map();
+
+  for (Point_set copy : {bare, with_normals}) {
+    CGAL::balanced_flow_smooth_point_set<Sequential>(copy, 20);
+    BOOST_TEST((points_of(copy, copy.point_map()) == expected));
+  }
+  for (Point_set copy : {bare, with_normals}) {
+    // parameters() names a normal map even if there is none
+    CGAL::balanced_flow_smooth_point_set<Sequential>(copy, 20, copy.parameters());
+    BOOST_TEST((points_of(copy, copy.point_map()) == expected));
+    if (copy.has_normal_map())
+      for (const auto& index : copy)
+        BOOST_REQUIRE(std::abs(copy.normal(index).squared_length() - 1.) < 1e-12);
+  }
+  Point_set copy = with_normals;
+  CGAL::balanced_flow_smooth_point_set<Sequential>(
+      copy, 20, np::update_period(4).point_map(copy.point_map()).normal_map(copy.normal_map()));
+  BOOST_TEST((points_of(copy, copy.point_map()) == expected));
+
+  // removed points take no part and stay
+  Point_set removed = bare;
+  removed.insert(shapes::Point_3(9, 9, 9));
+  removed.remove(removed.end() - 1);
+  CGAL::balanced_flow_smooth_point_set<Sequential>(removed, 20);
+  BOOST_TEST((points_of(removed, removed.point_map()) == expected));
+}
+
+BOOST_AUTO_TEST_CASE(named_parameters_combine_in_any_order)
+{
+  const Points noisy = noisy_cube();
+  const auto run = [&](const auto& pack) {
+    Points points = noisy;
+    CGAL::balanced_flow_smooth_point_set<Sequential>(points, 20, pack);
+    return points;
+  };
+  const CGAL::Identity_property_map<shapes::Point_3> map;
+  const Points a = run(np::feature_threshold(1000.).step_length(.5).number_of_iterations(8).point_map(map));
+  const Points b = run(np::step_length(.5).feature_threshold(1000).number_of_iterations(8));
+  const Points c = run(np::flow(Balanced_flow()).update_period(4).filter_width(.3).curvature(Covariance_curvature())
+                           .feature_threshold(1000.f).step_length(.5).point_map(map).number_of_iterations(8));
+  BOOST_TEST((a == b));
+  BOOST_TEST((a == c));
+  BOOST_TEST((a != run(np::number_of_iterations(8))));
+  BOOST_TEST((run(np::point_map(map)) == smoothed(noisy)));
+  BOOST_TEST((run(np::default_values()) == smoothed(noisy)));
+  // the angle chooses K where none is given
+  BOOST_TEST((run(np::sharpness_angle(10)) != run(np::sharpness_angle(80))));
+  BOOST_TEST((run(np::feature_threshold(1e3).sharpness_angle(10)) == run(np::feature_threshold(1e3).sharpness_angle(80))));
+}
+
+BOOST_AUTO_TEST_CASE(without_k_the_size_is_chosen_from_the_data)
+{
+  const Points noisy = noisy_cube();
+  const unsigned int k = estimate_point_set_scale<Sequential>(noisy).k;
+  Points automatic = noisy, with_pack = noisy, given = noisy, literal = noisy;
+  CGAL::balanced_flow_smooth_point_set<Sequential>(automatic);
+  CGAL::balanced_flow_smooth_point_set<Sequential>(with_pack, np::step_length(.75));
+  CGAL::balanced_flow_smooth_point_set<Sequential>(given, k);
+  CGAL::balanced_flow_smooth_point_set<Sequential>(literal, 7); // an int: a k, not a pack
+  BOOST_TEST((automatic == given));
+  BOOST_TEST((with_pack == given));
+  BOOST_TEST((literal != given));
+}
+
+BOOST_AUTO_TEST_CASE(neighbor_radius_limits_the_nearest_k)
+{
+  const Points noisy = noisy_cube();
+  const auto run = [&](double radius) {
+    Points points = noisy;
+    CGAL::balanced_flow_smooth_point_set<Sequential>(points, 20, np::neighbor_radius(radius));
+    return points;
+  };
+  BOOST_TEST((run(0.) == smoothed(noisy)));
+  BOOST_TEST((run(100.) == smoothed(noisy))); // never reached
+  BOOST_TEST((run(.2) != smoothed(noisy)));
+  BOOST_TEST((run(1e-6) == noisy)); // nobody has a neighbour
+
+  // a far point must not reach for the others
+  Points far = noisy;
+  far.emplace_back(50., 50., 50.);
+  CGAL::balanced_flow_smooth_point_set<Sequential>(far, 20, np::neighbor_radius(1.));
+  BOOST_TEST((far.back() == shapes::Point_3(50., 50., 50.)));
+}
+
+// ---- invariances
+
+BOOST_AUTO_TEST_CASE(parallel_and_sequential_are_the_same_to_the_last_bit)
+{
+#ifdef CGAL_LINKED_WITH_TBB
+  Points noisy = noisy_cube(60);
+  noisy.insert(noisy.end(), noisy.begin(), noisy.begin() + 1000); // duplicates
+  Points sequential = noisy, parallel = noisy;
+  const double a = CGAL::balanced_flow_smooth_point_set<Sequential>(sequential);
+  const double b = CGAL::balanced_flow_smooth_point_set<CGAL::Parallel_tag>(parallel);
+  BOOST_TEST(a == b);
+  BOOST_TEST((sequential == parallel));
+  BOOST_TEST(a > 0.);
+#endif
+}
+
+BOOST_AUTO_TEST_CASE(the_order_of_the_input_does_not_matter)
+{
+  Points noisy = noisy_cube(), automatic = noisy;
+  for (int i = 0; i < 50; ++i)
+    noisy.push_back(noisy[std::size_t(i)]);
+  const Points expected = smoothed(noisy);
+  for (std::size_t i = 0; i < 50; ++i) // duplicates stay together
+    BOOST_REQUIRE((expected[i] == expected[noisy.size() - 50 + i]));
+
+  std::vector<std::size_t> order(noisy.size());
+  std::iota(order.begin(), order.end(), std::size_t(0));
+  std::shuffle(order.begin(), order.end(), std::mt19937(11));
+  Points shuffled;
+  for (const std::size_t i : order)
+    shuffled.push_back(noisy[i]);
+  const Points result = smoothed(shuffled);
+  for (std::size_t i = 0; i < order.size(); ++i)
+    BOOST_REQUIRE((result[i] == expected[order[i]]));
+}
+
+BOOST_AUTO_TEST_CASE(translation_scaling_and_rotation)
+{
+  const Points noisy = noisy_cube();
+  Points expected = noisy;
+  CGAL::balanced_flow_smooth_point_set<Sequential>(expected); // k from the data
+  const auto check = [&](const auto& transform, double tolerance) {
+    Points points, reference;
+    for (const auto& p : noisy)
+      points.push_back(transform(p));
+    for (const auto& p : expected)
+      reference.push_back(transform(p));
+    CGAL::balanced_flow_smooth_point_set<Sequential>(points);
+    BOOST_TEST(largest_difference(points, reference) < tolerance);
+  };
+  typedef CGAL::Aff_transformation_3<shapes::Kernel> Transformation;
+  check(Transformation(CGAL::TRANSLATION, shapes::Vector_3(1e7, -1e7, 1e7)), 1e-6);
+  check(Transformation(CGAL::SCALING, 1e-6), 1e-6 * 1e-9);
+  check(Transformation(CGAL::SCALING, 1e6), 1e6 * 1e-9);
+  check(Transformation(CGAL::SCALING, 1e-150), 1e-150 * 1e-9);
+  check(Transformation(CGAL::SCALING, 1e150), 1e150 * 1e-9);
+  const double c = std::cos(.6), s = std::sin(.6);
+  check(Transformation(c, -s, 0., s, c, 0., 0., 0., 1.), 1e-9);
+  check(Transformation(1., 0., 0., 0., c, -s, 0., s, c), 1e-9);
+}
+
+BOOST_AUTO_TEST_CASE(the_mean_movement_of_the_last_step_is_returned_in_the_unit_of_the_data)
+{
+  const Points noisy = noisy_cube();
+  Points before = noisy, after = noisy;
+  CGAL::balanced_flow_smooth_point_set<Sequential>(before, 20, np::update_period(0).number_of_iterations(4));
+  const double moved = CGAL::balanced_flow_smooth_point_set<Sequential>(
+      after, 20, np::update_period(0).number_of_iterations(5));
+  double mean = 0.;
+  for (std::size_t i = 0; i < noisy.size(); ++i)
+    mean += std::sqrt(CGAL::squared_distance(before[i], after[i])) / double(noisy.size());
+  BOOST_TEST(moved == mean, boost::test_tools::tolerance(1e-9));
+
+  Points none = noisy;
+  BOOST_TEST(CGAL::balanced_flow_smooth_point_set<Sequential>(none, 20, np::number_of_iterations(0)) == 0.);
+  BOOST_TEST((none == noisy));
+}
+
+// ---- normals and constraints
+
+BOOST_AUTO_TEST_CASE(normals_are_right_and_keep_their_side)
+{
+  typedef std::pair<shapes::Point_3, shapes::Vector_3> Pair;
+  Points noisy = shapes::sphere(2000, 3.);
+  shapes::add_noise(noisy, .02);
+  std::vector<Pair> pairs;
+  for (std::size_t i = 0; i < noisy.size(); ++i) {
+    const shapes::Vector_3 outward = (noisy[i] - CGAL::ORIGIN) * .1; // no unit vector
+    pairs.emplace_back(noisy[i], i % 3 == 0 ? outward : i % 3 == 1 ? -outward : CGAL::NULL_VECTOR);
+  }
+  CGAL::balanced_flow_smooth_point_set<CGAL::Parallel_if_available_tag>(
+      pairs, 20,
+      np::point_map(CGAL::First_of_pair_property_map<Pair>())
+          .normal_map(CGAL::Second_of_pair_property_map<Pair>()));
+  double mean_cosine = 0.;
+  for (std::size_t i = 0; i < pairs.size(); ++i) {
+    const shapes::Vector_3 radial = pairs[i].first - CGAL::ORIGIN;
+    const double cosine = pairs[i].second * radial / std::sqrt(radial.squared_length());
+    BOOST_REQUIRE(std::abs(pairs[i].second.squared_length() - 1.) < 1e-12);
+    mean_cosine += std::abs(cosine) / double(pairs.size());
+    if (i % 3 != 2)
+      BOOST_REQUIRE((i % 3 == 0 ? cosine : -cosine) > 0.);
+  }
+  BOOST_TEST(mean_cosine > .99);
+}
+
+BOOST_AUTO_TEST_CASE(constrained_points_stay)
+{
+  const Points noisy = noisy_cube();
+  std::vector<std::size_t> indices(noisy.size());
+  std::iota(indices.begin(), indices.end(), std::size_t(0));
+  Points points = noisy;
+  std::vector<char> fixed(noisy.size());
+  for (std::size_t i = 0; i < noisy.size(); i += 3)
+    fixed[i] = 1;
+  CGAL::balanced_flow_smooth_point_set<Sequential>(
+      indices, 20,
+      np::point_map(CGAL::make_property_map(points)).point_is_constrained_map(CGAL::make_property_map(fixed)));
+  std::size_t moved = 0;
+  for (std::size_t i = 0; i < noisy.size(); ++i) {
+    if (fixed[i])
+      BOOST_REQUIRE((points[i] == noisy[i]));
+    else if (points[i] != noisy[i])
+      ++moved;
+  }
+  BOOST_TEST(moved > noisy.size() / 2);
+}
+
+// ---- progress and cancelling
+
+BOOST_AUTO_TEST_CASE(the_progress_rises_from_0_to_1)
+{
+  for (const bool small : {true, false}) {
+    Points points = noisy_cube(small ? 3 : 40);
+    std::vector<double> shares;
+    CGAL::balanced_flow_smooth_point_set<CGAL::Parallel_if_available_tag>(
+        points, np::callback([&](double share) {
+          shares.push_back(share);
+          return true;
+        }));
+    BOOST_TEST(shares.size() >= 20u);
+    BOOST_TEST(shares.front() == 0.);
+    BOOST_TEST(shares.back() == 1.);
+    BOOST_TEST(std::is_sorted(shares.begin(), shares.end()));
+    BOOST_TEST(shares[shares.size() - 2] > .9);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(a_cancelled_run_changes_nothing)
+{
+  typedef std::pair<shapes::Point_3, shapes::Vector_3> Pair;
+  std::vector<Pair> noisy;
+  for (const auto& p : noisy_cube(20))
+    noisy.emplace_back(p, shapes::Vector_3(0, 0, 2));
+  const auto run = [&](auto tag, double stop_at) {
+    std::vector<Pair> pairs = noisy;
+    const double moved = CGAL::balanced_flow_smooth_point_set<decltype(tag)>(
+        pairs, 20,
+        np::point_map(CGAL::First_of_pair_property_map<Pair>())
+            .normal_map(CGAL::Second_of_pair_property_map<Pair>())
+            .callback([=](double share) { return share < stop_at; }));
+    BOOST_TEST(std::isnan(moved));
+    BOOST_TEST((pairs == noisy));
+  };
+  for (const double stop_at : {0., .3, .99, 1.}) {
+    run(Sequential(), stop_at);
+    run(CGAL::Parallel_if_available_tag(), stop_at);
+  }
+}
+
+// ---- errors and small inputs
+
+BOOST_AUTO_TEST_CASE(small_and_degenerate_inputs)
+{
+  Points none;
+  BOOST_TEST(CGAL::balanced_flow_smooth_point_set<Sequential>(none, 20) == 0.);
+  BOOST_TEST(CGAL::balanced_flow_smooth_point_set<Sequential>(none) == 0.);
+
+  Points few = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
+  while (!few.empty()) { // three points or fewer lie in a plane
+    Points points = few;
+    BOOST_TEST(CGAL::balanced_flow_smooth_point_set<Sequential>(points) < 1e-12);
+    BOOST_TEST(largest_difference(points, few) < 1e-12);
+    few.pop_back();
+  }
+  const auto check_finite = [](Points points) {
+    BOOST_TEST(std::isfinite(CGAL::balanced_flow_smooth_point_set<Sequential>(points)));
+    for (const auto& p : points)
+      BOOST_REQUIRE((std::isfinite(p.x()) && std::isfinite(p.y()) && std::isfinite(p.z())));
+  };
+  check_finite(Points(1000, shapes::Point_3(1, 2, 3)));
+  check_finite(shapes::sphere(7, 1.)); // fewer than k
+  Points line;
+  for (int i = 0; i < 100; ++i)
+    line.emplace_back(i, 2. * i, -i);
+  check_finite(line);
+  line.emplace_back(1e12, 1e12, 1e12);
+  check_finite(line);
+}
+
+BOOST_AUTO_TEST_CASE(errors_name_the_argument_and_leave_the_points)
+{
+  const Points noisy = noisy_cube(6);
+  const auto check = [&](const std::string& expected, const auto& call) {
+    Points points = noisy;
+    BOOST_CHECK_EXCEPTION(call(points), std::invalid_argument, [&](const std::invalid_argument& e) {
+      BOOST_TEST_MESSAGE(e.what());
+      return std::string(e.what()).find(expected) != std::string::npos;
+    });
+    BOOST_TEST((points == noisy));
+  };
+  const auto with = [&](const auto& pack) {
+    return [&](Points& points) { CGAL::balanced_flow_smooth_point_set<Sequential>(points, 20, pack); };
+  };
+  const double nan = std::numeric_limits<double>::quiet_NaN(), infinity = std::numeric_limits<double>::infinity();
+  check("k is 1", [](Points& points) { CGAL::balanced_flow_smooth_point_set<Sequential>(points, 1); });
+  check("step_length is -1", with(np::step_length(-1.)));
+  check("step_length is nan", with(np::step_length(nan)));
+  check("filter_width is -2", with(np::filter_width(-2)));
+  check("feature_threshold is inf", with(np::feature_threshold(infinity)));
+  check("neighbor_radius is -1", with(np::neighbor_radius(-1.)));
+  check("sharpness_angle is 0", with(np::sharpness_angle(0.)));
+  check("number_of_iterations is -3", with(np::number_of_iterations(-3)));
+  check("update_period is -1", with(np::update_period(-1)));
+
+  Points bad = noisy;
+  bad[17] = shapes::Point_3(1, nan, 2);
+  BOOST_CHECK_EXCEPTION(CGAL::balanced_flow_smooth_point_set<Sequential>(bad), std::invalid_argument,
+                        [](const std::exception& e) {
+                          BOOST_TEST_MESSAGE(e.what());
+                          return std::string(e.what()).find("points[17] is (1, nan, 2)") != std::string::npos;
+                        });
+  BOOST_TEST((bad[16] == noisy[16]));
+}
+
+namespace {
+/// A point map that refuses to write the n-th point
+struct Failing_map {
+  typedef shapes::Point_3 key_type, value_type;
+  typedef const shapes::Point_3& reference;
+  typedef boost::read_write_property_map_tag category;
+  int* writes_left;
+  friend reference get(const Failing_map&, const key_type& p) { return p; }
+  friend void put(const Failing_map& map, key_type& p, const value_type& value)
+  {
+    if (--*map.writes_left == 0)
+      throw std::runtime_error("cannot write");
+    p = value;
+  }
+};
+} // namespace
+
+BOOST_AUTO_TEST_CASE(exceptions_of_callbacks_and_maps_leave_the_points)
+{
+  const Points noisy = noisy_cube(6);
+  Points points = noisy;
+  const auto throwing = [](double share) -> bool {
+    if (share > .5)
+      throw std::runtime_error("from the callback");
+    return true;
+  };
+  BOOST_CHECK_THROW(CGAL::balanced_flow_smooth_point_set<CGAL::Parallel_if_available_tag>(
+                        points, np::callback(std::function<bool(double)>(throwing))),
+                    std::runtime_error);
+  BOOST_TEST((points == noisy));
+
+  int writes_left = 100;
+  BOOST_CHECK_THROW(
+      CGAL::balanced_flow_smooth_point_set<Sequential>(points, np::point_map(Failing_map{&writes_left})),
+      std::runtime_error);
+  BOOST_TEST((points == noisy));
+}

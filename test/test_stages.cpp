@@ -1,0 +1,261 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The stages one by one, against known answers and against CGAL.
+#define BOOST_TEST_MODULE stages
+#include <boost/test/included/unit_test.hpp>
+
+#include "shapes.h"
+
+#include <CGAL/Aff_transformation_3.h>
+#include <CGAL/Balanced_flow/Covariance_curvature.h>
+#include <CGAL/Balanced_flow/Diffusivity.h>
+#include <CGAL/Balanced_flow/estimate_point_set_scale.h>
+#include <CGAL/Balanced_flow/internal/Neighbor_graph.h>
+#include <CGAL/Balanced_flow/internal/Point_buffer.h>
+#include <CGAL/Balanced_flow/internal/prefilter.h>
+#include <CGAL/Orthogonal_k_neighbor_search.h>
+
+#include <numeric>
+
+using namespace CGAL::Point_set_flow;
+namespace internal = CGAL::Point_set_flow::internal;
+using shapes::Points;
+
+namespace {
+
+const CGAL::Sequential_tag sequential{};
+const std::function<bool(double)> no_callback;
+
+/// All points as one neighbourhood of the first of them
+struct All_of {
+  const Points& points;
+  std::vector<std::uint32_t> others;
+  double radius;
+
+  explicit All_of(const Points& p, double r = 1.) : points(p), others(p.size() - 1), radius(r)
+  {
+    std::iota(others.begin(), others.end(), 1u);
+  }
+  Neighborhood_3 neighborhood() const
+  {
+    return Neighborhood_3(points.data(), 0, others.data(), others.size(), radius, .3);
+  }
+};
+
+CGAL::Aff_transformation_3<Core_kernel> some_rotation()
+{
+  const double a = .7, b = 1.9, ca = std::cos(a), sa = std::sin(a), cb = std::cos(b), sb = std::sin(b);
+  return CGAL::Aff_transformation_3<Core_kernel>(ca * cb, -sa, ca * sb, sa * cb, ca, sa * sb, -sb, 0., cb);
+}
+
+Points lifted(Points disc, const std::function<double(double, double)>& height)
+{
+  for (Point_3& p : disc)
+    p = Point_3(p.x(), p.y(), height(p.x(), p.y()));
+  return disc;
+}
+
+} // namespace
+
+BOOST_AUTO_TEST_CASE(a_plane_has_its_normal_and_no_variation)
+{
+  const auto rotation = some_rotation();
+  Points points = shapes::disc(50);
+  for (Point_3& p : points)
+    p = rotation(p);
+  const Curvature_3 c = Covariance_curvature()(All_of(points).neighborhood());
+  BOOST_TEST(std::abs(c.normal * rotation(Vector_3(0, 0, 1))) > 1. - 1e-14);
+  BOOST_TEST(c.variation < 1e-15);
+}
+
+// Height h = rho^2 / 2R over a disc of radius r: the variance of h is r^4 / 48 R^2, that of a
+// cylinder r^4 / 64 R^2, and the other two variances are r^2 / 4 each.
+BOOST_AUTO_TEST_CASE(the_variation_of_sphere_and_cylinder_is_known)
+{
+  const double R = 20.;
+  const Points sphere =
+      lifted(shapes::disc(5000), [&](double x, double y) { return R - std::sqrt(R * R - x * x - y * y); });
+  const Points cylinder =
+      lifted(shapes::disc(5000), [&](double x, double) { return R - std::sqrt(R * R - x * x); });
+  const Covariance_curvature curvature;
+  BOOST_TEST(curvature.variation(All_of(sphere).neighborhood()) == 1. / (24. * R * R),
+             boost::test_tools::tolerance(.01));
+  BOOST_TEST(curvature.variation(All_of(cylinder).neighborhood()) == 1. / (32. * R * R),
+             boost::test_tools::tolerance(.01));
+}
+
+BOOST_AUTO_TEST_CASE(a_crease_has_the_bisecting_normal_and_the_variation_of_its_angle)
+{
+  for (const double angle : {5., 30., 60., 90., 120.}) {
+    const double half = angle * CGAL_PI / 360.;
+    Points points = shapes::disc(5000); // folded along the y axis
+    for (Point_3& p : points)
+      p = Point_3(p.x() * std::cos(half), p.y(), -std::abs(p.x()) * std::sin(half));
+    const Curvature_3 c = Covariance_curvature()(All_of(points).neighborhood());
+    BOOST_TEST(c.variation == crease_variation(angle), boost::test_tools::tolerance(.01));
+    if (angle <= 90.) // steeper creases have their least variance across
+      BOOST_TEST(std::abs(c.normal.z()) > .999);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(equation_3_tells_the_side)
+{
+  Points points = shapes::disc(100);
+  points[0] = Point_3(0, 0, .1); // above the plane
+  const Vector_3 up(0, 0, 1);
+  const All_of all(points);
+  const Neighborhood_3 above = all.neighborhood();
+  BOOST_TEST(Covariance_curvature::direction(above, up) == .1, boost::test_tools::tolerance(1e-9));
+  BOOST_TEST(Covariance_curvature::direction(above, -up) == -.1, boost::test_tools::tolerance(1e-9));
+
+  // whatever side the normal has, -curvature * normal leads back to the surface
+  const Curvature_3 c = Covariance_curvature()(above);
+  BOOST_TEST((-c.directional_curvature * c.normal).z() < 0.);
+
+  // and on a sphere to its inside
+  const Points cap = lifted(shapes::disc(100), [](double x, double y) { return -.1 * (x * x + y * y); });
+  const Curvature_3 on_cap = Covariance_curvature()(All_of(cap).neighborhood());
+  BOOST_TEST((-on_cap.directional_curvature * on_cap.normal).z() < 0.);
+}
+
+BOOST_AUTO_TEST_CASE(the_variation_is_accurate_where_it_is_tiny_and_where_eigenvalues_meet)
+{
+  const auto rotation = some_rotation();
+  for (const double e : {1e-1, 1e-2, 1e-3, 1e-4}) {
+    Points points = {{0, 0, 0}, {1, 0, e}, {-1, 0, e}, {0, 1, -e}, {0, -1, -e}};
+    for (Point_3& p : points)
+      p = rotation(p);
+    BOOST_TEST(Covariance_curvature().variation(All_of(points).neighborhood()) == e * e / (1. + e * e),
+               boost::test_tools::tolerance(1e-6));
+  }
+  const Points octahedron = {{0, 0, 0}, {1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}, {0, 0, -1}};
+  const Curvature_3 c = Covariance_curvature()(All_of(octahedron).neighborhood());
+  BOOST_TEST(c.variation == 1. / 3., boost::test_tools::tolerance(1e-14));
+  BOOST_TEST(c.normal.squared_length() == 1., boost::test_tools::tolerance(1e-14));
+
+  const Points one_place(4, Point_3(1, 2, 3));
+  const Curvature_3 none = Covariance_curvature()(All_of(one_place, 0.).neighborhood());
+  BOOST_TEST(none.variation == 0.);
+  BOOST_TEST(none.directional_curvature == 0.);
+  BOOST_TEST(none.normal.squared_length() == 1.);
+}
+
+BOOST_AUTO_TEST_CASE(the_diffusivity_falls_from_1_through_one_half_at_the_threshold)
+{
+  const Diffusivity g(400.); // 1 / sqrt(400) = 0.05
+  BOOST_TEST(g(0.) == 1.);
+  BOOST_TEST(g(.05) == .5, boost::test_tools::tolerance(1e-14));
+  BOOST_TEST(Diffusivity::half_at(.05)(.05) == .5, boost::test_tools::tolerance(1e-14));
+  for (double x = 0.; x < .33; x += .01)
+    BOOST_TEST(g(x) > g(x + .01));
+  BOOST_TEST(g(1. / 3.) > 0.);
+  BOOST_TEST(Diffusivity(0.)(.3) == 1.);
+}
+
+BOOST_AUTO_TEST_CASE(neighbors_are_the_nearest_ones)
+{
+  Points points = shapes::cube(12);
+  for (int i = 0; i < 5; ++i) // a lattice, where many distances are equal
+    for (int j = 0; j < 5; ++j)
+      for (int l = 0; l < 5; ++l)
+        points.emplace_back(3. + i, j, l);
+  points.emplace_back(1e6, 0., 0.);
+
+  typedef CGAL::Orthogonal_k_neighbor_search<CGAL::Search_traits_3<Core_kernel>> Search;
+  Search::Tree cgal_tree(points.begin(), points.end());
+  const internal::Neighbor_tree tree(sequential, points);
+  for (const std::size_t k : {1, 7, 30}) {
+    internal::Neighbor_tree::Query query(tree, k);
+    internal::Neighbor_tree::Query within(tree, k, .4);
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      // by brute force, ties by index
+      std::vector<internal::Neighbor_tree::Neighbor> expected;
+      for (std::size_t j = 0; j < points.size(); ++j)
+        if (j != i)
+          expected.push_back({CGAL::squared_distance(points[i], points[j]), std::uint32_t(j)});
+      std::sort(expected.begin(), expected.end());
+      const auto found = query(i);
+      BOOST_REQUIRE(found.size() == k);
+      for (std::size_t j = 0; j < k; ++j)
+        BOOST_REQUIRE(found[j].index == expected[j].index);
+
+      Search search(cgal_tree, points[i], unsigned(k) + 1);
+      double farthest = 0.;
+      for (const auto& neighbor : search)
+        farthest = (std::max)(farthest, neighbor.second);
+      BOOST_REQUIRE(found.back().squared_distance == farthest);
+
+      const auto near = within(i);
+      const std::size_t in_ball = std::size_t(std::count_if(
+          expected.begin(), expected.end(), [](const auto& n) { return n.squared_distance <= .4 * .4; }));
+      BOOST_REQUIRE(near.size() == (std::min)(k, in_ball));
+      for (std::size_t j = 0; j < near.size(); ++j)
+        BOOST_REQUIRE(near[j].index == expected[j].index);
+    }
+  }
+}
+
+BOOST_AUTO_TEST_CASE(the_buffer_merges_duplicates_and_forgets_the_order)
+{
+  Points points = shapes::sphere(500, 1.);
+  points.insert(points.end(), points.begin(), points.begin() + 100);
+  const internal::Point_buffer buffer(sequential, points, {}, {});
+  BOOST_TEST(buffer.size() == 500u);
+  for (std::size_t i = 0; i < points.size(); ++i)
+    BOOST_TEST((buffer.points[buffer.site_of[i]] == points[i]));
+
+  Points shuffled = points;
+  std::shuffle(shuffled.begin(), shuffled.end(), std::mt19937(3));
+  BOOST_TEST((internal::Point_buffer(sequential, shuffled, {}, {}).points == buffer.points));
+
+  // same start but different references: two different points
+  const internal::Point_buffer two(sequential, {{0, 0, 0}, {1, 0, 0}, {1, 0, 0}},
+                                   {{5, 5, 5}, {5, 5, 5}, {5, 5, 5}}, {});
+  BOOST_TEST(two.size() == 2u);
+
+  // a duplicate of a constrained point does not move either
+  const internal::Point_buffer fixed(sequential, {{0, 0, 0}, {1, 0, 0}, {0, 0, 0}}, {}, {0, 0, 1});
+  BOOST_TEST(fixed.constrained[fixed.site_of[0]] == 1);
+  BOOST_TEST(fixed.constrained[fixed.site_of[1]] == 0);
+}
+
+// Section 2.3, Fig. 3: variation measured on the prefiltered surface depends less on the noise
+BOOST_AUTO_TEST_CASE(the_prefilter_brings_the_variation_nearer_to_that_of_the_clean_surface)
+{
+  Points clean = shapes::sphere(4000, 1.), noisy = clean;
+  shapes::add_noise(noisy, .01);
+  const internal::Neighbor_tree tree(sequential, clean);
+  internal::Progress progress(no_callback, 1.);
+  const internal::Neighbor_graph graph(sequential, tree, 20, 0., progress, 0.);
+  Points filtered(noisy.size());
+  internal::prefilter<CGAL::Sequential_tag>(noisy, graph, .5, filtered, progress, 0.);
+
+  const Covariance_curvature curvature;
+  double of_clean = 0., of_noisy = 0., of_filtered = 0.;
+  for (std::size_t i = 0; i < clean.size(); ++i) {
+    of_clean += curvature.variation(graph.neighborhood(clean, i, .5));
+    of_noisy += curvature.variation(graph.neighborhood(noisy, i, .5));
+    of_filtered += curvature.variation(graph.neighborhood(filtered, i, .5));
+  }
+  BOOST_TEST(std::abs(of_filtered - of_clean) < .2 * std::abs(of_noisy - of_clean));
+}
+
+BOOST_AUTO_TEST_CASE(noise_and_spacing_are_estimated)
+{
+  // unit area per point would be a spacing of 1: here the area is 4 pi over 20,000 points
+  const double spacing = std::sqrt(4. * CGAL_PI / 20000.);
+  for (const double in_spacings : {.1, .5, 1., 2.}) {
+    Points points = shapes::sphere(20000, 1.);
+    shapes::add_noise(points, in_spacings * spacing);
+    const Point_set_scale scale = estimate_point_set_scale<CGAL::Sequential_tag>(points);
+    BOOST_TEST_CONTEXT("noise of " << in_spacings << " spacings")
+    {
+      BOOST_TEST(scale.noise == in_spacings * spacing, boost::test_tools::tolerance(.15));
+      BOOST_TEST(scale.spacing == spacing, boost::test_tools::tolerance(.15));
+      BOOST_TEST(scale.k >= 16u);
+      BOOST_TEST(scale.k <= 32u);
+    }
+  }
+  BOOST_TEST(estimate_point_set_scale<CGAL::Sequential_tag>(shapes::sphere(20000, 1.)).noise < 1e-3 * spacing);
+  BOOST_TEST(estimate_point_set_scale<CGAL::Sequential_tag>(shapes::sphere(10, 1.)).noise == 0.);
+  BOOST_TEST(estimate_point_set_scale<CGAL::Sequential_tag>(Points()).spacing == 0.);
+}
