@@ -1,0 +1,38 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+# Finds CGAL, Eigen and, unless BALANCED_FLOW_WITH_TBB is off, TBB, and says what it found.
+# Sets BALANCED_FLOW_DEPENDENCIES to the targets to link. Used by the build of this project and,
+# installed, by find_package(BalancedFlow): both see the same.
+
+if(NOT DEFINED BALANCED_FLOW_WITH_TBB)
+  set(BALANCED_FLOW_WITH_TBB ON)
+endif()
+
+set(CGAL_DO_NOT_WARN_ABOUT_CMAKE_BUILD_TYPE TRUE)
+find_package(CGAL 5.5 QUIET)
+if(NOT CGAL_FOUND)
+  message(FATAL_ERROR "BalancedFlow: CGAL 5.5 or newer was not found (Debian, Ubuntu: libcgal-dev)")
+endif()
+find_package(Eigen3 3.3 QUIET NO_MODULE)
+if(NOT TARGET Eigen3::Eigen)
+  message(FATAL_ERROR "BalancedFlow: Eigen 3.3 or newer was not found (Debian, Ubuntu: libeigen3-dev)")
+endif()
+set(EIGEN3_FOUND TRUE) # the name that CGAL's older modules ask for
+include(CGAL_Eigen3_support)
+set(BALANCED_FLOW_DEPENDENCIES CGAL::CGAL CGAL::Eigen3_support)
+
+set(balanced_flow_tbb "off (BALANCED_FLOW_WITH_TBB)")
+if(BALANCED_FLOW_WITH_TBB)
+  set(balanced_flow_tbb "not found, Parallel_tag will not compile (Debian, Ubuntu: libtbb-dev)")
+  find_package(TBB QUIET)
+  if(TARGET TBB::tbb)
+    include(CGAL_TBB_support)
+    list(APPEND BALANCED_FLOW_DEPENDENCIES CGAL::TBB_support)
+    set(balanced_flow_tbb "${TBB_VERSION}, Parallel_tag is available")
+  endif()
+endif()
+
+if(NOT BalancedFlow_FIND_QUIETLY)
+  message(STATUS "BalancedFlow: CGAL ${CGAL_VERSION}")
+  message(STATUS "BalancedFlow: Eigen ${Eigen3_VERSION}")
+  message(STATUS "BalancedFlow: TBB ${balanced_flow_tbb}")
+endif()
