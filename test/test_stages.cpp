@@ -163,7 +163,7 @@ BOOST_AUTO_TEST_CASE(neighbors_are_the_nearest_ones)
   typedef CGAL::Orthogonal_k_neighbor_search<CGAL::Search_traits_3<Core_kernel>> Search;
   Search::Tree cgal_tree(points.begin(), points.end());
   const internal::Neighbor_tree tree(sequential, points);
-  for (const std::size_t k : {1, 7, 30}) {
+  for (const unsigned int k : {1u, 7u, 30u}) {
     internal::Neighbor_tree::Query query(tree, k);
     internal::Neighbor_tree::Query within(tree, k, .4);
     for (std::size_t i = 0; i < points.size(); ++i) {
@@ -178,7 +178,7 @@ BOOST_AUTO_TEST_CASE(neighbors_are_the_nearest_ones)
       for (std::size_t j = 0; j < k; ++j)
         BOOST_REQUIRE(found[j].index == expected[j].index);
 
-      Search search(cgal_tree, points[i], unsigned(k) + 1);
+      Search search(cgal_tree, points[i], k + 1);
       double farthest = 0.;
       for (const auto& neighbor : search)
         farthest = (std::max)(farthest, neighbor.second);
@@ -187,7 +187,7 @@ BOOST_AUTO_TEST_CASE(neighbors_are_the_nearest_ones)
       const auto near = within(i);
       const std::size_t in_ball = std::size_t(std::count_if(
           expected.begin(), expected.end(), [](const auto& n) { return n.squared_distance <= .4 * .4; }));
-      BOOST_REQUIRE(near.size() == (std::min)(k, in_ball));
+      BOOST_REQUIRE(near.size() == (std::min)(std::size_t(k), in_ball));
       for (std::size_t j = 0; j < near.size(); ++j)
         BOOST_REQUIRE(near[j].index == expected[j].index);
     }
