@@ -73,7 +73,7 @@ void bilateral(Points& points, unsigned int k, int times)
                         .normal_map(CGAL::Second_of_pair_property_map<Pair>());
   std::vector<Pair> pairs;
   for (const Point_3& p : points)
-    pairs.emplace_back(p, Vector_3());
+    pairs.emplace_back(p, CGAL::NULL_VECTOR);
   CGAL::pca_estimate_normals<Concurrency_tag>(pairs, 18, maps);
   CGAL::mst_orient_normals(pairs, 18, maps);
   for (int i = 0; i < times; ++i)

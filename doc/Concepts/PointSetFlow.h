@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/*!
+\ingroup PkgBalancedFlowConcepts
+\cgalConcept
+
+The concept `PointSetFlow` describes the right hand side \f$\partial u / \partial t\f$ of an
+evolution equation, as it is passed to `CGAL::balanced_flow_smooth_point_set()` with the named
+parameter `flow`. A lambda can be a model. A flow must be copyable, and with
+`CGAL::Parallel_tag` it is called from several threads at once.
+
+For the result to follow the data when these are scaled, the motion must scale with the lengths in
+`u`.
+
+\cgalHasModel `CGAL::Point_set_flow::Curvature_flow`
+\cgalHasModel `CGAL::Point_set_flow::Anisotropic_flow`
+\cgalHasModel `CGAL::Point_set_flow::Well_posed_anisotropic_flow`
+\cgalHasModel `CGAL::Point_set_flow::Volume_preserving_flow`
+\cgalHasModel `CGAL::Point_set_flow::Balanced_flow`
+*/
+class PointSetFlow {
+public:
+  /// Optional: `CGAL::Tag_true` (also if missing) if `u.filtered_variation` is used. With
+  /// `CGAL::Tag_false` the prefilter is not run, and it is the same as `u.variation`.
+  typedef unspecified_type Uses_prefilter;
+
+  /// returns the motion of the point `u` in one step of length 1, in the unit of the data. `g` is
+  /// the diffusivity, a function of the surface variation.
+  CGAL::Point_set_flow::Vector_3 operator()(const CGAL::Point_set_flow::Flow_point_3& u,
+                                            const CGAL::Point_set_flow::Diffusivity& g) const;
+};
