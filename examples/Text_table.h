@@ -10,6 +10,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <cstdlib>
 #include <functional>
 #include <istream>
 #include <ostream>
@@ -65,7 +66,9 @@ public:
         ++at;
       double number = 0.;
       const auto parsed = std::from_chars(at, end, number);
-      if (parsed.ec != std::errc() || (parsed.ptr != end && !blank(*parsed.ptr)))
+      if (parsed.ec == std::errc::result_out_of_range) // 1e-400 is 0 and no error
+        number = std::strtod(std::string(at, parsed.ptr).c_str(), nullptr);
+      if (parsed.ptr == at || (parsed.ptr != end && !blank(*parsed.ptr)))
         fail("\"" + std::string(at, std::find_if(at, end, blank)) + "\" is not a number");
       numbers.push_back(number);
       at = parsed.ptr;

@@ -26,7 +26,11 @@ namespace {
 enum Exit_code { SUCCESS = 0, BAD_USAGE = 1, BAD_FILE = 2, INTERRUPTED = 130 };
 
 std::atomic<bool> interrupted(false);
-extern "C" void on_interrupt(int) { interrupted = true; }
+extern "C" void on_interrupt(int)
+{
+  interrupted = true;
+  std::signal(SIGINT, SIG_DFL); // the second one ends the program, whatever it does
+}
 
 /// Draws a progress bar, at most ten times a second, and stops the run after Ctrl-C.
 class Progress_bar {
@@ -147,7 +151,7 @@ int run(const Settings& s)
   Point_set& points = file.points;
   if (s.normals && !points.has_normal_map())
     points.add_normal_map(CGAL::NULL_VECTOR);
-  const Point_set before = points;
+  const std::vector<Kernel::Point_3> before(points.points().begin(), points.points().end());
 
   CGAL::Real_timer timer;
   timer.start();
@@ -155,16 +159,15 @@ int run(const Settings& s)
   const unsigned int k = s.k != 0 ? static_cast<unsigned int>(s.k) : scale.k;
   const double moved = smooth<Concurrency_tag>(points, s, k);
   timer.stop();
-  if (std::isnan(moved)) {
+  if (interrupted || !write_point_set_file(s.output, file, interrupted)) {
     std::cerr << "\ninterrupted, nothing written" << std::endl;
     return INTERRUPTED;
   }
-  write_point_set_file(s.output, file);
 
   if (!s.quiet) {
     double total = 0.;
     for (const Point_set::Index& i : points)
-      total += std::sqrt(CGAL::squared_distance(before.point(i), points.point(i)));
+      total += std::sqrt(CGAL::squared_distance(before[i], points.point(i)));
     std::cout << "points            " << points.size() << "\n"
               << "spacing           " << scale.spacing << "\n"
               << "estimated noise   " << scale.noise << "\n"

@@ -79,19 +79,33 @@ check "a run on a mesh" "$program" "$data/meshes/elephant.off" elephant.off -q
 check "its faces are the same to the letter" diff <(tail -n 5000 "$data/meshes/elephant.off") <(tail -n 5000 elephant.off)
 
 "$program" "$data/points_3/b9_training.ply" b9.ply -q
-check "colors and labels of a LiDAR tile" diff <(strings "$data/points_3/b9_training.ply" | grep '^property' | tail -n +4 | sort) \
-  <(strings b9.ply | grep '^property' | tail -n +4 | sort)
+check "colors and labels of a LiDAR tile" diff <(grep -a '^property' "$data/points_3/b9_training.ply" | tail -n +4 | sort) \
+  <(grep -a '^property' b9.ply | tail -n +4 | sort)
 
 cp colors.xyz in_place.xyz
 check "in place" "$program" in_place.xyz in_place.xyz -q -k 4
 check "in place, same result" cmp in_place.xyz out.xyz
 check "sequential is parallel" bash -c "'$program' '$data/points_3/kitten.xyz' a.xyz -q --threads 1 && '$program' '$data/points_3/kitten.xyz' b.xyz -q && cmp a.xyz b.xyz"
+cp colors.xyz target.xyz && chmod 600 target.xyz && ln -s target.xyz link.xyz
+check "in place through a link" "$program" link.xyz link.xyz -q -k 4
+check "the link is still one, with the permissions of its file" bash -c "cmp target.xyz out.xyz && [ -L link.xyz ] && [ \$(stat -c %a target.xyz) = 600 ]"
 check "normals on request" bash -c "'$program' colors.xyz n.xyz -q -k 4 --normals && [ \$(head -1 n.xyz | wc -w) = 10 ]"
 check "a summary" bash -c "'$program' '$data/points_3/kitten.xyz' s.xyz --flow curvature --feature-threshold 100 | grep -q 'estimated noise'"
 
 # ---- errors
 
 : > empty.xyz
+: > empty.ply
+ply_with() { printf 'ply\nformat ascii 1.0\nelement vertex 1\n%b\nend_header\n0 0 0 1 1 1\n' "$1"; }
+xyz='property float x\nproperty float y\nproperty float z'
+ply_with "$xyz\nproperty double nx\nproperty double ny\nproperty double nz" > mixed.ply
+ply_with "${xyz//float/int}" > integers.ply
+ply_with "$xyz\nproperty int64 id" > int64.ply
+ply_with "$xyz\nproperty int index" > index.ply
+sed 's/vertex 1/vertex 99999999999/' mixed.ply > huge.ply
+printf '3\n0 0 0\n1 0 0\n' > truncated.pts
+head -8000 "$data/meshes/elephant.off" > faces.off
+mkfifo fifo.xyz
 printf '1 2 3\n4 five 6\n' > garbage.xyz
 printf '1 2 3\n4 5\n' > short.xyz
 printf '0 0 0\n1 0 0\n0 nan 0\n' > nan.xyz
@@ -100,14 +114,22 @@ head -20 "$data/meshes/elephant.off" > truncated.off
 mkdir directory.xyz
 check "missing file" fails_with 2 "cannot read missing.xyz: the file can not be opened" "$program" missing.xyz no.xyz
 check "empty file" fails_with 2 "there are no points in it" "$program" empty.xyz no.xyz
-check "empty PLY" fails_with 2 "cannot read" "$program" <(:) no.xyz
+check "empty PLY" fails_with 2 "not a complete PLY file" "$program" empty.ply no.xyz
+check "PLY, normals of another type" fails_with 2 "with the type of x, y and z" "$program" mixed.ply no.xyz
+check "PLY, integer coordinates" fails_with 2 "of type float or double" "$program" integers.ply no.xyz
+check "PLY, unknown type" fails_with 2 'the type in "property int64 id" is not known' "$program" int64.ply no.xyz
+check "PLY, a name of CGAL" fails_with 2 'the property name "index" is taken' "$program" index.ply no.xyz
+check "PLY, absurd number of points" fails_with 2 "too short for 99999999999 points" "$program" huge.ply no.xyz
 check "garbage" fails_with 2 'line 2: "five" is not a number' "$program" garbage.xyz no.xyz
 check "too few columns" fails_with 2 "line 2: a point has three coordinates" "$program" short.xyz no.xyz
 check "not finite" fails_with 1 "points[2] is (0, nan, 0)" "$program" nan.xyz no.xyz
 check "truncated PLY" fails_with 2 "not a complete PLY file" "$program" truncated.ply no.xyz
 check "truncated OFF" fails_with 2 "the file ends after" "$program" truncated.off no.xyz
+check "OFF without its last faces" fails_with 2 "of 5558 faces" "$program" faces.off no.xyz
+check "truncated PTS" fails_with 2 "announces 3 points, but there are 2" "$program" truncated.pts no.xyz
 check "a directory as input" fails_with 2 "this is a directory" "$program" directory.xyz no.xyz
 check "a directory as output" fails_with 2 "cannot write directory.xyz: this is a directory" "$program" colors.xyz directory.xyz
+check "a pipe as output" fails_with 2 "this is not a regular file" "$program" colors.xyz fifo.xyz
 check "no such directory" fails_with 2 "there is no directory nowhere" "$program" colors.xyz nowhere/no.xyz
 check "unknown format" fails_with 2 'the format ".docx" is not known' "$program" colors.docx no.xyz
 check "unknown option" fails_with 1 "unrecognised option" "$program" colors.xyz no.xyz --speed 3
