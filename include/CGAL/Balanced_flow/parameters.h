@@ -9,15 +9,21 @@
 namespace CGAL {
 namespace Point_set_flow {
 
-/// The tags by which the named parameters of this package are looked up.
+// The named parameters of this package
+#define CGAL_BALANCED_FLOW_FOR_EACH_PARAMETER(DEFINE)                                              \
+  DEFINE(flow)                                                                                     \
+  DEFINE(curvature)                                                                                \
+  DEFINE(feature_threshold)                                                                        \
+  DEFINE(filter_width)                                                                             \
+  DEFINE(step_length)                                                                              \
+  DEFINE(update_period)                                                                            \
+  DEFINE(initial_point_map)
+
+/// The tags by which named parameters are looked up.
 namespace internal_np {
-struct flow_t {};
-struct curvature_t {};
-struct feature_threshold_t {};
-struct filter_width_t {};
-struct step_length_t {};
-struct update_period_t {};
-struct initial_point_map_t {};
+#define CGAL_BALANCED_FLOW_TAG(NAME) struct NAME##_t {};
+CGAL_BALANCED_FLOW_FOR_EACH_PARAMETER(CGAL_BALANCED_FLOW_TAG)
+#undef CGAL_BALANCED_FLOW_TAG
 } // namespace internal_np
 
 /// A pack of named parameters whose last one is of this package. Its members add another one of
@@ -30,14 +36,14 @@ template <typename T, typename Tag, typename Base = CGAL::internal_np::No_proper
 struct Named_parameters : public Named_function_parameters<T, Tag, Base> {
   using Named_function_parameters<T, Tag, Base>::Named_function_parameters;
 
-#define CGAL_BALANCED_FLOW_NAMED_PARAMETER(NAME)                                                   \
+#define CGAL_BALANCED_FLOW_MEMBER(NAME)                                                            \
   template <typename K>                                                                            \
   Named_parameters<K, internal_np::NAME##_t, Named_parameters> NAME(const K& value) const          \
   {                                                                                                \
     return Named_parameters<K, internal_np::NAME##_t, Named_parameters>(value, *this);             \
   }
-#include <CGAL/Balanced_flow/internal/parameters_interface.h>
-#undef CGAL_BALANCED_FLOW_NAMED_PARAMETER
+  CGAL_BALANCED_FLOW_FOR_EACH_PARAMETER(CGAL_BALANCED_FLOW_MEMBER)
+#undef CGAL_BALANCED_FLOW_MEMBER
 };
 
 namespace internal {
@@ -59,14 +65,15 @@ namespace parameters {
 /// `curvature`, `feature_threshold`, `filter_width`, `step_length`, `update_period` and
 /// `initial_point_map`. They start a pack, in any order, and those of \cgal follow.
 /// @{
-#define CGAL_BALANCED_FLOW_NAMED_PARAMETER(NAME)                                                   \
+#define CGAL_BALANCED_FLOW_FUNCTION(NAME)                                                          \
   template <typename K>                                                                            \
   Point_set_flow::Named_parameters<K, Point_set_flow::internal_np::NAME##_t> NAME(const K& value)  \
   {                                                                                                \
     return Point_set_flow::Named_parameters<K, Point_set_flow::internal_np::NAME##_t>(value);      \
   }
-#include <CGAL/Balanced_flow/internal/parameters_interface.h>
-#undef CGAL_BALANCED_FLOW_NAMED_PARAMETER
+CGAL_BALANCED_FLOW_FOR_EACH_PARAMETER(CGAL_BALANCED_FLOW_FUNCTION)
+#undef CGAL_BALANCED_FLOW_FUNCTION
+#undef CGAL_BALANCED_FLOW_FOR_EACH_PARAMETER
 /// @}
 
 } // namespace parameters
