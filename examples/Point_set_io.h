@@ -34,11 +34,14 @@ namespace point_set_io {
 inline std::string format_of(const std::filesystem::path& path)
 {
   std::string format = path.extension().string();
-  std::transform(format.begin(), format.end(), format.begin(), [](unsigned char c) { return char(std::tolower(c)); });
+  std::transform(format.begin(), format.end(), format.begin(),
+                 [](unsigned char c) { return char(std::tolower(c)); });
   if (format == ".pwn" || format == ".txt" || format == ".pts")
     return ".xyz";
-  if (format != ".ply" && format != ".xyz" && format != ".off" && format != ".las" && format != ".laz")
-    throw std::runtime_error("the format \"" + format + "\" is not known (ply, xyz, pwn, txt, pts, off, las)");
+  if (format != ".ply" && format != ".xyz" && format != ".off" && format != ".las" &&
+      format != ".laz")
+    throw std::runtime_error("the format \"" + format +
+                             "\" is not known (ply, xyz, pwn, txt, pts, off, las)");
   return format;
 }
 
@@ -58,8 +61,8 @@ inline void read_xyz(std::istream& in, Point_set_file& file)
       table.add(line, reader);
   }
   if (file.count_line && announced != double(table.rows()))
-    throw std::runtime_error("the first line announces " + to_text(announced) + " points, but there are " +
-                             std::to_string(table.rows()));
+    throw std::runtime_error("the first line announces " + to_text(announced) +
+                             " points, but there are " + std::to_string(table.rows()));
   table.move_to(file.points, table.has_normals());
 }
 
@@ -142,16 +145,26 @@ inline void warn_of_las_losses(const Point_set& points)
   typedef unsigned char Byte;
   typedef unsigned short Short;
   static const std::map<std::string, std::type_index> kept = {
-      {"intensity", typeid(Short)},           {"return_number", typeid(Byte)},
-      {"number_of_returns", typeid(Byte)},    {"scan_direction_flag", typeid(Byte)},
-      {"edge_of_flight_line", typeid(Byte)},  {"classification", typeid(Byte)},
-      {"synthetic_flag", typeid(Byte)},       {"keypoint_flag", typeid(Byte)},
-      {"withheld_flag", typeid(Byte)},        {"scan_angle", typeid(float)},
-      {"user_data", typeid(Byte)},            {"point_source_ID", typeid(Short)},
-      {"deleted_flag", typeid(unsigned int)}, {"gps_time", typeid(double)},
-      {"R", typeid(Short)},                   {"G", typeid(Short)},
-      {"B", typeid(Short)},                   {"I", typeid(Short)},
-      {"red", typeid(Byte)},                  {"green", typeid(Byte)},
+      {"intensity", typeid(Short)},
+      {"return_number", typeid(Byte)},
+      {"number_of_returns", typeid(Byte)},
+      {"scan_direction_flag", typeid(Byte)},
+      {"edge_of_flight_line", typeid(Byte)},
+      {"classification", typeid(Byte)},
+      {"synthetic_flag", typeid(Byte)},
+      {"keypoint_flag", typeid(Byte)},
+      {"withheld_flag", typeid(Byte)},
+      {"scan_angle", typeid(float)},
+      {"user_data", typeid(Byte)},
+      {"point_source_ID", typeid(Short)},
+      {"deleted_flag", typeid(unsigned int)},
+      {"gps_time", typeid(double)},
+      {"R", typeid(Short)},
+      {"G", typeid(Short)},
+      {"B", typeid(Short)},
+      {"I", typeid(Short)},
+      {"red", typeid(Byte)},
+      {"green", typeid(Byte)},
       {"blue", typeid(Byte)}};
   for (const auto& property : points.properties_and_types()) {
     const auto found = kept.find(property.first);

@@ -99,7 +99,8 @@ struct Text_table {
   bool has_normals() const
   {
     for (std::size_t i = 0; i < numbers.size(); i += width)
-      if (width < 6 || !(std::abs(std::hypot(numbers[i + 3], numbers[i + 4], numbers[i + 5]) - 1.) < .01))
+      if (width < 6 ||
+          !(std::abs(std::hypot(numbers[i + 3], numbers[i + 4], numbers[i + 5]) - 1.) < .01))
         return false;
     return rows() != 0;
   }
@@ -111,7 +112,8 @@ struct Text_table {
     const std::size_t first = with_normals ? 6 : 3;
     std::vector<Point_set::Property_map<double>> columns;
     for (std::size_t c = first; c < width; ++c)
-      columns.push_back(points.add_property_map<double>("column_" + std::to_string(c + 1), 0.).first);
+      columns.push_back(
+          points.add_property_map<double>("column_" + std::to_string(c + 1), 0.).first);
     points.reserve(rows());
     for (std::size_t i = 0; i < numbers.size(); i += width) {
       const Point_set::iterator point = points.insert({numbers[i], numbers[i + 1], numbers[i + 2]});
@@ -141,7 +143,8 @@ class Column_writer {
   {
     if (property.second != typeid(T))
       return;
-    const auto map = points.add_property_map<T>(property.first).first; // it exists: only looks it up
+    const auto map =
+        points.add_property_map<T>(property.first).first; // it exists: only looks it up
     // to_chars writes characters as letters: promote
     m_columns.emplace_back(property.first, [map](Index i) { return to_text(+map[i]); });
   }

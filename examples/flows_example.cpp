@@ -30,8 +30,8 @@ void print(const char* name, const std::vector<Point_3>& points)
     mean += radius / double(points.size());
     square += (radius - 1.) * (radius - 1.) / double(points.size());
   }
-  std::cout << std::left << std::setw(28) << name << " rms error " << std::setw(11) << std::sqrt(square)
-            << " mean radius " << mean << std::endl;
+  std::cout << std::left << std::setw(28) << name << " rms error " << std::setw(11)
+            << std::sqrt(square) << " mean radius " << mean << std::endl;
 }
 
 template <typename Flow>
@@ -46,7 +46,8 @@ int main()
 {
   CGAL::Random random(1);
   std::vector<Point_3> points;
-  std::copy_n(CGAL::Random_points_on_sphere_3<Point_3>(1., random), 5000, std::back_inserter(points));
+  std::copy_n(CGAL::Random_points_on_sphere_3<Point_3>(1., random), 5000,
+              std::back_inserter(points));
   for (Point_3& p : points)
     p = CGAL::ORIGIN + (1. + random.get_double(-.02, .02)) * (p - CGAL::ORIGIN);
 

@@ -22,7 +22,8 @@ int main()
   std::copy_n(CGAL::Random_points_on_sphere_3<Point_3>(1.), 5000, std::back_inserter(sphere));
   CGAL::Random random(1);
   for (Point_3& p : sphere)
-    p = p + Vector_3(random.get_double(-.02, .02), random.get_double(-.02, .02), random.get_double(-.02, .02));
+    p = p + Vector_3(random.get_double(-.02, .02), random.get_double(-.02, .02),
+                     random.get_double(-.02, .02));
 
   // pairs of point and normal: the normals are computed and written, too
   typedef std::pair<Point_3, Vector_3> Point_with_normal;
@@ -54,5 +55,6 @@ int main()
   for (const Point_3& p : sphere)
     point_set.insert(p);
   CGAL::balanced_flow_smooth_point_set<Concurrency_tag>(point_set, 24);
-  std::cout << "first point: " << sphere.front() << " -> " << point_set.point(*point_set.begin()) << std::endl;
+  std::cout << "first point: " << sphere.front() << " -> " << point_set.point(*point_set.begin())
+            << std::endl;
 }

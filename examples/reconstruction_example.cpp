@@ -28,13 +28,15 @@ int main(int argc, char** argv)
     return EXIT_FAILURE;
   }
 
-  points.erase(CGAL::remove_outliers<Concurrency_tag>(points, 24, CGAL::parameters::threshold_percent(1.)),
-               points.end());
+  points.erase(
+      CGAL::remove_outliers<Concurrency_tag>(points, 24, CGAL::parameters::threshold_percent(1.)),
+      points.end());
   if (!raw)
     CGAL::balanced_flow_smooth_point_set<Concurrency_tag>(points);
 
   std::vector<std::array<std::size_t, 3>> triangles;
-  CGAL::advancing_front_surface_reconstruction(points.begin(), points.end(), std::back_inserter(triangles));
+  CGAL::advancing_front_surface_reconstruction(points.begin(), points.end(),
+                                               std::back_inserter(triangles));
   std::cout << points.size() << " points, " << triangles.size() << " triangles" << std::endl;
   return CGAL::IO::write_polygon_soup(mesh, points, triangles) ? EXIT_SUCCESS : EXIT_FAILURE;
 }

@@ -69,6 +69,7 @@ std::optional<Settings> read_command_line(int argc, char** argv)
       "Usage: smooth_point_set input output [options]\n\n"
       "Smooths a point set by dynamic balanced flow. Formats: PLY, XYZ (also PWN, TXT, PTS), OFF,\n"
       "and LAS where CGAL has it. All other properties of the points are kept.\n\nOptions");
+  // clang-format off
   description.add_options()
     ("help,h", "print this text")
     ("neighbors,k", options::value(&s.k)->default_value(0), "neighborhood size, 0: chosen from the data")
@@ -90,13 +91,15 @@ std::optional<Settings> read_command_line(int argc, char** argv)
   options::options_description files;
   files.add_options()("input", options::value(&s.input)->required(), "")
                      ("output", options::value(&s.output)->required(), "");
+  // clang-format on
   options::positional_options_description positions;
   positions.add("input", 1).add("output", 1);
 
   options::variables_map given;
   options::options_description all;
   all.add(description).add(files);
-  options::store(options::command_line_parser(argc, argv).options(all).positional(positions).run(), given);
+  options::store(options::command_line_parser(argc, argv).options(all).positional(positions).run(),
+                 given);
   if (given.count("help")) {
     std::cout << description;
     return std::nullopt;
@@ -173,7 +176,8 @@ int run(const Settings& s)
               << "estimated noise   " << scale.noise << "\n"
               << "neighbors         " << k << (s.k != 0 ? "" : " (chosen)") << "\n"
               << "iterations        " << s.iterations << "\n"
-              << "mean movement     " << total / double(points.size()) << " (last iteration: " << moved << ")\n"
+              << "mean movement     " << total / double(points.size())
+              << " (last iteration: " << moved << ")\n"
               << "seconds           " << timer.time() << std::endl;
   }
   return SUCCESS;

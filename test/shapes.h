@@ -36,7 +36,8 @@ inline Points disc(std::size_t n)
 {
   Points points;
   for (std::size_t i = 0; i < n; ++i) {
-    const double r = std::sqrt(double(i) / double(n)), angle = CGAL_PI * (3. - std::sqrt(5.)) * double(i);
+    const double r = std::sqrt(double(i) / double(n)),
+                 angle = CGAL_PI * (3. - std::sqrt(5.)) * double(i);
     points.emplace_back(r * std::cos(angle), r * std::sin(angle), 0.);
   }
   return points;
@@ -64,7 +65,8 @@ inline Points cube(int m)
 inline double distance_to_cube(const Point_3& p)
 {
   const double x = std::abs(p.x()), y = std::abs(p.y()), z = std::abs(p.z());
-  const double dx = (std::max)(x - 1., 0.), dy = (std::max)(y - 1., 0.), dz = (std::max)(z - 1., 0.);
+  const double dx = (std::max)(x - 1., 0.), dy = (std::max)(y - 1., 0.),
+               dz = (std::max)(z - 1., 0.);
   const double outside = std::sqrt(dx * dx + dy * dy + dz * dz);
   return outside > 0. ? outside : 1. - (std::max)({x, y, z});
 }

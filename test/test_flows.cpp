@@ -14,8 +14,8 @@ using shapes::Points;
 namespace {
 
 template <typename Flow>
-Points smoothed(Points points, const Flow& flow, unsigned int iterations, unsigned int update_period,
-                unsigned int k = 20)
+Points smoothed(Points points, const Flow& flow, unsigned int iterations,
+                unsigned int update_period, unsigned int k = 20)
 {
   CGAL::balanced_flow_smooth_point_set<CGAL::Parallel_if_available_tag>(
       points, k, np::flow(flow).update_period(update_period).number_of_iterations(iterations));
@@ -35,7 +35,8 @@ Points noisy_sphere()
 double roughness(const Points& points)
 {
   const double mean = shapes::mean_radius(points);
-  return shapes::rms(points, [&](const shapes::Point_3& p) { return shapes::distance_to_origin(p) - mean; });
+  return shapes::rms(
+      points, [&](const shapes::Point_3& p) { return shapes::distance_to_origin(p) - mean; });
 }
 
 double flatness_error(const Points& points)
@@ -56,13 +57,14 @@ BOOST_AUTO_TEST_CASE(without_the_forcing_term_a_sphere_shrinks)
   const double curvature = shrinkage(Curvature_flow()), anisotropic = shrinkage(Anisotropic_flow()),
                well_posed = shrinkage(Well_posed_anisotropic_flow());
   BOOST_TEST_MESSAGE("shrinkage: curvature flow " << curvature << ", anisotropic " << anisotropic
-                                                   << ", well-posed " << well_posed);
+                                                  << ", well-posed " << well_posed);
   BOOST_TEST(curvature > .02 * radius);
   BOOST_TEST(anisotropic > .02 * radius);
   BOOST_TEST(well_posed > .02 * radius);
 
   const double least = (std::min)({curvature, anisotropic, well_posed});
-  const double volume_preserving = shrinkage(Volume_preserving_flow()), balanced = shrinkage(Balanced_flow());
+  const double volume_preserving = shrinkage(Volume_preserving_flow()),
+               balanced = shrinkage(Balanced_flow());
   BOOST_TEST_MESSAGE("volume-preserving " << volume_preserving << ", balanced " << balanced);
   BOOST_TEST(std::abs(volume_preserving) < least / 8.);
 }
@@ -81,7 +83,8 @@ BOOST_AUTO_TEST_CASE(every_flow_smooths_a_sphere)
 // Fig. 6: 0.12 for a radius of 24.20
 BOOST_AUTO_TEST_CASE(from_a_corrupted_start_the_volume_preserving_flow_comes_back)
 {
-  typedef std::pair<shapes::Point_3, shapes::Point_3> Pair; // clean reference I, corrupted start chi
+  typedef std::pair<shapes::Point_3, shapes::Point_3>
+      Pair; // clean reference I, corrupted start chi
   const Points clean = shapes::sphere(3000, radius);
   Points corrupted = clean;
   shapes::add_noise(corrupted, .02 * radius);
@@ -116,7 +119,8 @@ BOOST_AUTO_TEST_CASE(the_dynamic_flow_flattens_a_cube_faster)
   const double before = flatness_error(noisy);
   const double fixed = flatness_error(smoothed(noisy, Volume_preserving_flow(), 200, 0));
   const double dynamic = flatness_error(smoothed(noisy, Volume_preserving_flow(), 12, 4));
-  BOOST_TEST_MESSAGE("cube: noisy " << before << ", static 200 steps " << fixed << ", dynamic 12 steps " << dynamic);
+  BOOST_TEST_MESSAGE("cube: noisy " << before << ", static 200 steps " << fixed
+                                    << ", dynamic 12 steps " << dynamic);
   BOOST_TEST(fixed < before);
   BOOST_TEST(dynamic < .9 * fixed);
 
@@ -184,11 +188,13 @@ BOOST_AUTO_TEST_CASE(a_large_feature_threshold_stops_and_a_threshold_of_zero_is_
 {
   const Points noisy = noisy_sphere();
   Points stopped = noisy, isotropic = noisy;
-  CGAL::balanced_flow_smooth_point_set<CGAL::Sequential_tag>(stopped, 20, np::feature_threshold(1e12));
+  CGAL::balanced_flow_smooth_point_set<CGAL::Sequential_tag>(stopped, 20,
+                                                             np::feature_threshold(1e12));
   for (std::size_t i = 0; i < noisy.size(); ++i)
     BOOST_REQUIRE(CGAL::squared_distance(stopped[i], noisy[i]) < 1e-8);
 
-  CGAL::balanced_flow_smooth_point_set<CGAL::Sequential_tag>(isotropic, 20, np::feature_threshold(0));
+  CGAL::balanced_flow_smooth_point_set<CGAL::Sequential_tag>(isotropic, 20,
+                                                             np::feature_threshold(0));
   BOOST_TEST((isotropic == smoothed(noisy, Curvature_flow(), 12, 4)));
 }
 

@@ -84,8 +84,9 @@ BOOST_AUTO_TEST_CASE(any_range_and_kernel)
   for (const auto& p : noisy)
     floats.emplace_back(float(p.x()), float(p.y()), float(p.z()));
   CGAL::balanced_flow_smooth_point_set<Sequential>(floats, 20);
-  BOOST_TEST(largest_difference(points_of(floats, CGAL::Identity_property_map<Float_kernel::Point_3>()),
-                                expected) < 1e-5);
+  BOOST_TEST(
+      largest_difference(points_of(floats, CGAL::Identity_property_map<Float_kernel::Point_3>()),
+                         expected) < 1e-5);
 }
 
 BOOST_AUTO_TEST_CASE(pairs_tuples_and_indices)
@@ -98,7 +99,8 @@ BOOST_AUTO_TEST_CASE(pairs_tuples_and_indices)
     pairs.emplace_back(p, CGAL::NULL_VECTOR);
   CGAL::First_of_pair_property_map<Pair> first;
   CGAL::Second_of_pair_property_map<Pair> second;
-  CGAL::balanced_flow_smooth_point_set<Sequential>(pairs, 20, np::point_map(first).normal_map(second));
+  CGAL::balanced_flow_smooth_point_set<Sequential>(pairs, 20,
+                                                   np::point_map(first).normal_map(second));
   BOOST_TEST((points_of(pairs, first) == expected));
   for (const Pair& pair : pairs)
     BOOST_REQUIRE(std::abs(pair.second.squared_length() - 1.) < 1e-12);
@@ -119,8 +121,8 @@ BOOST_AUTO_TEST_CASE(pairs_tuples_and_indices)
     indices.push_back(i);
     half.push_back(noisy[i]);
   }
-  CGAL::balanced_flow_smooth_point_set<Sequential>(indices, 20,
-                                                   np::point_map(CGAL::make_property_map(coordinates)));
+  CGAL::balanced_flow_smooth_point_set<Sequential>(
+      indices, 20, np::point_map(CGAL::make_property_map(coordinates)));
   const Points expected_half = smoothed(half);
   for (std::size_t i = 0; i < noisy.size(); ++i)
     BOOST_REQUIRE((coordinates[i] == (i % 2 == 0 ? expected_half[i / 2] : noisy[i])));
@@ -170,10 +172,17 @@ BOOST_AUTO_TEST_CASE(named_parameters_combine_in_any_order)
     return points;
   };
   const CGAL::Identity_property_map<shapes::Point_3> map;
-  const Points a = run(np::feature_threshold(1000.).step_length(.5).number_of_iterations(8).point_map(map));
+  const Points a =
+      run(np::feature_threshold(1000.).step_length(.5).number_of_iterations(8).point_map(map));
   const Points b = run(np::step_length(.5).feature_threshold(1000).number_of_iterations(8));
-  const Points c = run(np::flow(Balanced_flow()).update_period(4).filter_width(.3).curvature(Covariance_curvature())
-                           .feature_threshold(1000.f).step_length(.5).point_map(map).number_of_iterations(8));
+  const Points c = run(np::flow(Balanced_flow())
+                           .update_period(4)
+                           .filter_width(.3)
+                           .curvature(Covariance_curvature())
+                           .feature_threshold(1000.f)
+                           .step_length(.5)
+                           .point_map(map)
+                           .number_of_iterations(8));
   BOOST_TEST((a == b));
   BOOST_TEST((a == c));
   BOOST_TEST((a != run(np::number_of_iterations(8))));
@@ -181,7 +190,8 @@ BOOST_AUTO_TEST_CASE(named_parameters_combine_in_any_order)
   BOOST_TEST((run(np::default_values()) == smoothed(noisy)));
   // the angle chooses K where none is given
   BOOST_TEST((run(np::sharpness_angle(10)) != run(np::sharpness_angle(80))));
-  BOOST_TEST((run(np::feature_threshold(1e3).sharpness_angle(10)) == run(np::feature_threshold(1e3).sharpness_angle(80))));
+  BOOST_TEST((run(np::feature_threshold(1e3).sharpness_angle(10)) ==
+              run(np::feature_threshold(1e3).sharpness_angle(80))));
 }
 
 BOOST_AUTO_TEST_CASE(without_k_the_size_is_chosen_from_the_data)
@@ -283,7 +293,8 @@ BOOST_AUTO_TEST_CASE(the_mean_movement_of_the_last_step_is_returned_in_the_unit_
 {
   const Points noisy = noisy_cube();
   Points before = noisy, after = noisy;
-  CGAL::balanced_flow_smooth_point_set<Sequential>(before, 20, np::update_period(0).number_of_iterations(4));
+  CGAL::balanced_flow_smooth_point_set<Sequential>(before, 20,
+                                                   np::update_period(0).number_of_iterations(4));
   const double moved = CGAL::balanced_flow_smooth_point_set<Sequential>(
       after, 20, np::update_period(0).number_of_iterations(5));
   double mean = 0.;
@@ -292,7 +303,8 @@ BOOST_AUTO_TEST_CASE(the_mean_movement_of_the_last_step_is_returned_in_the_unit_
   BOOST_TEST(moved == mean, boost::test_tools::tolerance(1e-9));
 
   Points none = noisy;
-  BOOST_TEST(CGAL::balanced_flow_smooth_point_set<Sequential>(none, 20, np::number_of_iterations(0)) == 0.);
+  BOOST_TEST(CGAL::balanced_flow_smooth_point_set<Sequential>(none, 20,
+                                                              np::number_of_iterations(0)) == 0.);
   BOOST_TEST((none == noisy));
 }
 
@@ -335,7 +347,8 @@ BOOST_AUTO_TEST_CASE(constrained_points_stay)
     fixed[i] = 1;
   CGAL::balanced_flow_smooth_point_set<Sequential>(
       indices, 20,
-      np::point_map(CGAL::make_property_map(points)).point_is_constrained_map(CGAL::make_property_map(fixed)));
+      np::point_map(CGAL::make_property_map(points))
+          .point_is_constrained_map(CGAL::make_property_map(fixed)));
   std::size_t moved = 0;
   for (std::size_t i = 0; i < noisy.size(); ++i) {
     if (fixed[i])
@@ -430,10 +443,13 @@ BOOST_AUTO_TEST_CASE(errors_name_the_argument_and_leave_the_points)
     BOOST_TEST((points == noisy));
   };
   const auto with = [&](const auto& pack) {
-    return [&](Points& points) { CGAL::balanced_flow_smooth_point_set<Sequential>(points, 20, pack); };
+    return
+        [&](Points& points) { CGAL::balanced_flow_smooth_point_set<Sequential>(points, 20, pack); };
   };
-  const double nan = std::numeric_limits<double>::quiet_NaN(), infinity = std::numeric_limits<double>::infinity();
-  check("k is 1", [](Points& points) { CGAL::balanced_flow_smooth_point_set<Sequential>(points, 1); });
+  const double nan = std::numeric_limits<double>::quiet_NaN(),
+               infinity = std::numeric_limits<double>::infinity();
+  check("k is 1",
+        [](Points& points) { CGAL::balanced_flow_smooth_point_set<Sequential>(points, 1); });
   check("step_length is -1", with(np::step_length(-1.)));
   check("step_length is nan", with(np::step_length(nan)));
   check("filter_width is -2", with(np::filter_width(-2)));
@@ -445,10 +461,11 @@ BOOST_AUTO_TEST_CASE(errors_name_the_argument_and_leave_the_points)
 
   Points bad = noisy;
   bad[17] = shapes::Point_3(1, nan, 2);
-  BOOST_CHECK_EXCEPTION(CGAL::balanced_flow_smooth_point_set<Sequential>(bad), std::invalid_argument,
-                        [](const std::exception& e) {
+  BOOST_CHECK_EXCEPTION(CGAL::balanced_flow_smooth_point_set<Sequential>(bad),
+                        std::invalid_argument, [](const std::exception& e) {
                           BOOST_TEST_MESSAGE(e.what());
-                          return std::string(e.what()).find("points[17] is (1, nan, 2)") != std::string::npos;
+                          return std::string(e.what()).find("points[17] is (1, nan, 2)") !=
+                                 std::string::npos;
                         });
   BOOST_TEST((bad[16] == noisy[16]));
 }
@@ -485,8 +502,8 @@ BOOST_AUTO_TEST_CASE(exceptions_of_callbacks_and_maps_leave_the_points)
   BOOST_TEST((points == noisy));
 
   int writes_left = 100;
-  BOOST_CHECK_THROW(
-      CGAL::balanced_flow_smooth_point_set<Sequential>(points, np::point_map(Failing_map{&writes_left})),
-      std::runtime_error);
+  BOOST_CHECK_THROW(CGAL::balanced_flow_smooth_point_set<Sequential>(
+                        points, np::point_map(Failing_map{&writes_left})),
+                    std::runtime_error);
   BOOST_TEST((points == noisy));
 }

@@ -43,8 +43,10 @@ struct All_of {
 
 CGAL::Aff_transformation_3<Core_kernel> some_rotation()
 {
-  const double a = .7, b = 1.9, ca = std::cos(a), sa = std::sin(a), cb = std::cos(b), sb = std::sin(b);
-  return CGAL::Aff_transformation_3<Core_kernel>(ca * cb, -sa, ca * sb, sa * cb, ca, sa * sb, -sb, 0., cb);
+  const double a = .7, b = 1.9, ca = std::cos(a), sa = std::sin(a), cb = std::cos(b),
+               sb = std::sin(b);
+  return CGAL::Aff_transformation_3<Core_kernel>(ca * cb, -sa, ca * sb, sa * cb, ca, sa * sb, -sb,
+                                                 0., cb);
 }
 
 Points lifted(Points disc, const std::function<double(double, double)>& height)
@@ -72,8 +74,8 @@ BOOST_AUTO_TEST_CASE(a_plane_has_its_normal_and_no_variation)
 BOOST_AUTO_TEST_CASE(the_variation_of_sphere_and_cylinder_is_known)
 {
   const double R = 20.;
-  const Points sphere =
-      lifted(shapes::disc(5000), [&](double x, double y) { return R - std::sqrt(R * R - x * x - y * y); });
+  const Points sphere = lifted(
+      shapes::disc(5000), [&](double x, double y) { return R - std::sqrt(R * R - x * x - y * y); });
   const Points cylinder =
       lifted(shapes::disc(5000), [&](double x, double) { return R - std::sqrt(R * R - x * x); });
   const Covariance_curvature curvature;
@@ -105,14 +107,16 @@ BOOST_AUTO_TEST_CASE(equation_3_tells_the_side)
   const All_of all(points);
   const Neighborhood_3 above = all.neighborhood();
   BOOST_TEST(Covariance_curvature::direction(above, up) == .1, boost::test_tools::tolerance(1e-9));
-  BOOST_TEST(Covariance_curvature::direction(above, -up) == -.1, boost::test_tools::tolerance(1e-9));
+  BOOST_TEST(Covariance_curvature::direction(above, -up) == -.1,
+             boost::test_tools::tolerance(1e-9));
 
   // whatever side the normal has, -curvature * normal leads back to the surface
   const Curvature_3 c = Covariance_curvature()(above);
   BOOST_TEST((-c.directional_curvature * c.normal).z() < 0.);
 
   // and on a sphere to its inside
-  const Points cap = lifted(shapes::disc(100), [](double x, double y) { return -.1 * (x * x + y * y); });
+  const Points cap =
+      lifted(shapes::disc(100), [](double x, double y) { return -.1 * (x * x + y * y); });
   const Curvature_3 on_cap = Covariance_curvature()(All_of(cap).neighborhood());
   BOOST_TEST((-on_cap.directional_curvature * on_cap.normal).z() < 0.);
 }
@@ -124,10 +128,12 @@ BOOST_AUTO_TEST_CASE(the_variation_is_accurate_where_it_is_tiny_and_where_eigenv
     Points points = {{0, 0, 0}, {1, 0, e}, {-1, 0, e}, {0, 1, -e}, {0, -1, -e}};
     for (Point_3& p : points)
       p = rotation(p);
-    BOOST_TEST(Covariance_curvature().variation(All_of(points).neighborhood()) == e * e / (1. + e * e),
+    BOOST_TEST(Covariance_curvature().variation(All_of(points).neighborhood()) ==
+                   e * e / (1. + e * e),
                boost::test_tools::tolerance(1e-6));
   }
-  const Points octahedron = {{0, 0, 0}, {1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}, {0, 0, -1}};
+  const Points octahedron = {{0, 0, 0},  {1, 0, 0}, {-1, 0, 0}, {0, 1, 0},
+                             {0, -1, 0}, {0, 0, 1}, {0, 0, -1}};
   const Curvature_3 c = Covariance_curvature()(All_of(octahedron).neighborhood());
   BOOST_TEST(c.variation == 1. / 3., boost::test_tools::tolerance(1e-14));
   BOOST_TEST(c.normal.squared_length() == 1., boost::test_tools::tolerance(1e-14));
@@ -185,8 +191,9 @@ BOOST_AUTO_TEST_CASE(neighbors_are_the_nearest_ones)
       BOOST_REQUIRE(found.back().squared_distance == farthest);
 
       const auto near = within(i);
-      const std::size_t in_ball = std::size_t(std::count_if(
-          expected.begin(), expected.end(), [](const auto& n) { return n.squared_distance <= .4 * .4; }));
+      const std::size_t in_ball =
+          std::size_t(std::count_if(expected.begin(), expected.end(),
+                                    [](const auto& n) { return n.squared_distance <= .4 * .4; }));
       BOOST_REQUIRE(near.size() == (std::min)(std::size_t(k), in_ball));
       for (std::size_t j = 0; j < near.size(); ++j)
         BOOST_REQUIRE(near[j].index == expected[j].index);
@@ -255,7 +262,8 @@ BOOST_AUTO_TEST_CASE(noise_and_spacing_are_estimated)
       BOOST_TEST(scale.k <= 32u);
     }
   }
-  BOOST_TEST(estimate_point_set_scale<CGAL::Sequential_tag>(shapes::sphere(20000, 1.)).noise < 1e-3 * spacing);
+  BOOST_TEST(estimate_point_set_scale<CGAL::Sequential_tag>(shapes::sphere(20000, 1.)).noise <
+             1e-3 * spacing);
   BOOST_TEST(estimate_point_set_scale<CGAL::Sequential_tag>(shapes::sphere(10, 1.)).noise == 0.);
   BOOST_TEST(estimate_point_set_scale<CGAL::Sequential_tag>(Points()).spacing == 0.);
 }

@@ -195,12 +195,14 @@ double balanced_flow_smooth_point_set(PointRange& points, unsigned int k,
    smooths a point set as above, with a number of neighbors that is chosen from the data: from the
    noise and the spacing that `Point_set_flow::estimate_point_set_scale()` finds.
 */
-template <typename ConcurrencyTag, typename PointRange,
-          typename NamedParameters = parameters::Default_named_parameters
+template <
+    typename ConcurrencyTag, typename PointRange,
+    typename NamedParameters = parameters::Default_named_parameters
 #ifndef DOXYGEN_RUNNING
-          , std::enable_if_t<Point_set_flow::internal::Is_named_parameters<NamedParameters>::value, int> = 0
+    ,
+    std::enable_if_t<Point_set_flow::internal::Is_named_parameters<NamedParameters>::value, int> = 0
 #endif
-          >
+    >
 double balanced_flow_smooth_point_set(PointRange& points,
                                       const NamedParameters& np = parameters::default_values())
 {

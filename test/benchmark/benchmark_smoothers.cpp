@@ -32,7 +32,8 @@ typedef CGAL::Simple_cartesian<double> Kernel;
 typedef Kernel::Point_3 Point_3;
 typedef Kernel::Vector_3 Vector_3;
 typedef CGAL::Surface_mesh<Point_3> Mesh;
-typedef CGAL::AABB_tree<CGAL::AABB_traits<Kernel, CGAL::AABB_face_graph_triangle_primitive<Mesh>>> Tree;
+typedef CGAL::AABB_tree<CGAL::AABB_traits<Kernel, CGAL::AABB_face_graph_triangle_primitive<Mesh>>>
+    Tree;
 typedef std::vector<Point_3> Points;
 typedef CGAL::Parallel_if_available_tag Concurrency_tag;
 
@@ -44,7 +45,8 @@ void normalize(Mesh& mesh)
   CGAL::Bbox_3 box;
   for (const auto v : mesh.vertices())
     box += mesh.point(v).bbox();
-  const Point_3 center((box.xmin() + box.xmax()) / 2, (box.ymin() + box.ymax()) / 2, (box.zmin() + box.zmax()) / 2);
+  const Point_3 center((box.xmin() + box.xmax()) / 2, (box.ymin() + box.ymax()) / 2,
+                       (box.zmin() + box.zmax()) / 2);
   double radius = 0.;
   for (const auto v : mesh.vertices())
     radius = (std::max)(radius, std::sqrt(CGAL::squared_distance(mesh.point(v), center)));
@@ -56,7 +58,8 @@ void normalize(Mesh& mesh)
 Points sample(const Mesh& mesh, std::size_t n)
 {
   CGAL::Random random(7);
-  CGAL::Random_points_in_triangle_mesh_3<Mesh> generator(mesh, get(CGAL::vertex_point, mesh), random);
+  CGAL::Random_points_in_triangle_mesh_3<Mesh> generator(mesh, get(CGAL::vertex_point, mesh),
+                                                         random);
   Points points;
   std::copy_n(generator, 8 * n, std::back_inserter(points));
   const double cell = std::sqrt(CGAL::Polygon_mesh_processing::area(mesh) / double(n)) * .75;
@@ -92,7 +95,8 @@ int main(int argc, char** argv)
       meshes.push_back(CGAL::data_file_path(std::string("meshes/") + name + ".off"));
 
   std::printf("rms distance to the surface x 1000, shapes of radius 1, %zu points\n\n", n);
-  std::printf("| shape | noise %% | noisy | jet k=24 | bilateral k=24, 3 times | balanced flow | to the better peer |\n"
+  std::printf("| shape | noise %% | noisy | jet k=24 | bilateral k=24, 3 times | balanced flow | "
+              "to the better peer |\n"
               "|---|---|---|---|---|---|---|\n");
   double log_ratio = 0., seconds[3] = {0., 0., 0.};
   int cases = 0;
@@ -128,15 +132,18 @@ int main(int argc, char** argv)
       };
       double unused = 0.;
       const double before = error_after(unused, [](Points&) {});
-      const double jet = error_after(seconds[0], [](Points& p) { CGAL::jet_smooth_point_set<Concurrency_tag>(p, 24); });
+      const double jet = error_after(
+          seconds[0], [](Points& p) { CGAL::jet_smooth_point_set<Concurrency_tag>(p, 24); });
       const double bilat = error_after(seconds[1], [](Points& p) { bilateral(p, 24, 3); });
-      const double ours = error_after(seconds[2], [](Points& p) { CGAL::balanced_flow_smooth_point_set<Concurrency_tag>(p); });
+      const double ours = error_after(
+          seconds[2], [](Points& p) { CGAL::balanced_flow_smooth_point_set<Concurrency_tag>(p); });
       const double ratio = ours / (std::min)(jet, bilat);
       log_ratio += std::log(ratio);
       ++cases;
       const std::string name = file.substr(file.find_last_of('/') + 1);
-      std::printf("| %s | %.1f | %.2f | %.2f | %.2f | %.2f | %.2f |\n", name.substr(0, name.find('.')).c_str(),
-                  100. * sigma, before, jet, bilat, ours, ratio);
+      std::printf("| %s | %.1f | %.2f | %.2f | %.2f | %.2f | %.2f |\n",
+                  name.substr(0, name.find('.')).c_str(), 100. * sigma, before, jet, bilat, ours,
+                  ratio);
     }
   }
   std::printf("\ngeometric mean of the ratio: %.3f\n", std::exp(log_ratio / cases));

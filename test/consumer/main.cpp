@@ -17,6 +17,8 @@ int main()
     for (int j = 0; j < 10; ++j)
       points.emplace_back(i, j, (i * j) % 3 * .1);
   std::vector<Point_3> copy = points;
-  const double here = CGAL::balanced_flow_smooth_point_set<CGAL::Parallel_if_available_tag>(points, 12);
-  return here > 0. && here == smooth_elsewhere(copy) && points == copy ? EXIT_SUCCESS : EXIT_FAILURE;
+  const double here =
+      CGAL::balanced_flow_smooth_point_set<CGAL::Parallel_if_available_tag>(points, 12);
+  return here > 0. && here == smooth_elsewhere(copy) && points == copy ? EXIT_SUCCESS
+                                                                       : EXIT_FAILURE;
 }

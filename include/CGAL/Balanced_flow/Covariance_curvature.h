@@ -29,7 +29,8 @@ public:
   /// Eq. (1) to (3)
   Curvature_3 operator()(const Neighborhood_3& neighborhood) const
   {
-    const internal::Smallest_eigenpair_3 pair = internal::smallest_eigenpair(covariance(neighborhood));
+    const internal::Smallest_eigenpair_3 pair =
+        internal::smallest_eigenpair(covariance(neighborhood));
     const double sign = direction(neighborhood, pair.vector) >= 0. ? 1. : -1.;
     return {pair.vector, pair.variation, sign * pair.variation * neighborhood.radius()};
   }

@@ -46,8 +46,8 @@ Point_set_scale estimate_point_set_scale(const PointRange& points,
   typedef Point_set_processing_3_np_helper<PointRange, NamedParameters> NP_helper;
   const auto point_map = NP_helper::get_const_point_map(points, np);
   const internal::Frame frame = internal::find_frame(points, point_map, "points");
-  const internal::Point_buffer buffer(ConcurrencyTag(),
-                                      internal::copy_in(points, point_map, frame), {}, {});
+  const internal::Point_buffer buffer(ConcurrencyTag(), internal::copy_in(points, point_map, frame),
+                                      {}, {});
   const internal::Neighbor_tree tree(ConcurrencyTag(), buffer.points);
   const std::function<bool(double)> no_callback;
   internal::Progress progress(no_callback, 1.);

@@ -21,7 +21,8 @@ namespace Point_set_flow {
 
 /// The tags by which named parameters are looked up.
 namespace internal_np {
-#define CGAL_BALANCED_FLOW_TAG(NAME) struct NAME##_t {};
+#define CGAL_BALANCED_FLOW_TAG(NAME)                                                               \
+  struct NAME##_t {};
 CGAL_BALANCED_FLOW_FOR_EACH_PARAMETER(CGAL_BALANCED_FLOW_TAG)
 #undef CGAL_BALANCED_FLOW_TAG
 } // namespace internal_np

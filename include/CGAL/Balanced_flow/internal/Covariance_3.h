@@ -84,7 +84,8 @@ inline Smallest_eigenpair_3 smallest_eigenpair(const Covariance_3& c)
         }
       }
   }
-  const int least = a[0][0] <= a[1][1] ? (a[0][0] <= a[2][2] ? 0 : 2) : (a[1][1] <= a[2][2] ? 1 : 2);
+  const int least =
+      a[0][0] <= a[1][1] ? (a[0][0] <= a[2][2] ? 0 : 2) : (a[1][1] <= a[2][2] ? 1 : 2);
   const Vector_3 vector(v[least][0], v[least][1], v[least][2]);
   return {vector / std::sqrt(vector.squared_length()), (std::max)(a[least][least], 0.) / trace};
 }

@@ -59,7 +59,7 @@ public:
     for (const std::uint32_t i : sorted) {
       if (distinct.empty() || !equal(distinct.back(), i))
         distinct.push_back(i);
-      site_of[i] = static_cast<std::uint32_t>(distinct.back()); // for now the representative, below its place
+      site_of[i] = static_cast<std::uint32_t>(distinct.back()); // its place follows below
     }
     sorted = std::vector<std::uint32_t>();
 

@@ -41,8 +41,7 @@ Neighbor_graph make_graph(ConcurrencyTag tag, const Point_buffer& buffer, const 
                           Progress& progress)
 {
   const Neighbor_tree tree(tag, buffer.points);
-  const unsigned int k =
-      options.k ? *options.k : find_scale(tag, tree, progress, work::scale).k;
+  const unsigned int k = options.k ? *options.k : find_scale(tag, tree, progress, work::scale).k;
   return Neighbor_graph(tag, tree, k, options.neighbor_radius, progress, work::graph);
 }
 
@@ -94,8 +93,7 @@ std::vector<Vector_3> find_normals(ConcurrencyTag, const Point_buffer& buffer,
   for_each_block<ConcurrencyTag>(
       buffer.size(), progress, work::variation, [&](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i)
-          normals[i] =
-              curvature(graph.neighborhood(buffer.points, i, options.filter_width)).normal;
+          normals[i] = curvature(graph.neighborhood(buffer.points, i, options.filter_width)).normal;
       });
   return normals;
 }
