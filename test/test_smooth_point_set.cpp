@@ -139,14 +139,18 @@ BOOST_AUTO_TEST_CASE(point_set_3)
   with_normals.add_normal_map();
 
   for (Point_set copy : {bare, with_normals}) {
+    const bool had_normals = copy.has_normal_map();
     CGAL::balanced_flow_smooth_point_set<Sequential>(copy, 20);
     BOOST_TEST((points_of(copy, copy.point_map()) == expected));
+    BOOST_TEST(copy.has_normal_map() == had_normals);
   }
   for (Point_set copy : {bare, with_normals}) {
-    // parameters() names a normal map even if there is none
+    // parameters() names a normal map even if there is none; none must be added
+    const bool had_normals = copy.has_normal_map();
     CGAL::balanced_flow_smooth_point_set<Sequential>(copy, 20, copy.parameters());
     BOOST_TEST((points_of(copy, copy.point_map()) == expected));
-    if (copy.has_normal_map())
+    BOOST_TEST(copy.has_normal_map() == had_normals);
+    if (had_normals)
       for (const auto& index : copy)
         BOOST_REQUIRE(std::abs(copy.normal(index).squared_length() - 1.) < 1e-12);
   }

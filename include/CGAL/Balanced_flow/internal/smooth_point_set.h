@@ -17,6 +17,7 @@
 #include <limits>
 #include <optional>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -60,20 +61,33 @@ Options read_options(const std::optional<unsigned int>& k, const NamedParameters
   return options;
 }
 
-/// Whether there are normals behind a map. `Point_set_3::parameters()` names a normal map even if
-/// the point set has no normals; such a map is `false` as a condition.
-template <typename NormalMap>
-bool has_values(const NormalMap& map)
+template <typename PointRange, typename = void>
+struct Has_own_normals : std::false_type {};
+template <typename PointRange>
+struct Has_own_normals<PointRange,
+                       std::void_t<decltype(std::declval<PointRange&>().has_normal_map())>>
+    : std::true_type {};
+
+/// The normal map, given by name or, in a `Point_set_3`, its own; empty where there are no normals.
+///
+/// \cgal's helper is no use here: to find the map of a `Point_set_3` it adds one from \cgal 6.0 on.
+template <typename NormalMap, typename PointRange, typename NamedParameters>
+std::optional<NormalMap> find_normal_map(PointRange& points, const NamedParameters& np)
 {
-  if constexpr (std::is_constructible<bool, const NormalMap&>::value)
-    return static_cast<bool>(map);
-  else
-    return true;
-}
-template <typename Key, typename Value> // stands for a normal map that was not given
-bool has_values(const Constant_property_map<Key, Value>&)
-{
-  return false;
+  if constexpr (is_given<NamedParameters, CGAL::internal_np::normal_t>) {
+    const NormalMap map = parameters::get_parameter(np, CGAL::internal_np::normal_map);
+    // Point_set_3::parameters() names a normal map even if the point set has no normals; such a
+    // map is false as a condition
+    if constexpr (std::is_constructible<bool, const NormalMap&>::value)
+      if (!static_cast<bool>(map))
+        return std::nullopt;
+    return map;
+  }
+  else if constexpr (Has_own_normals<PointRange>::value) {
+    if (points.has_normal_map())
+      return points.normal_map();
+  }
+  return std::nullopt;
 }
 
 /// From the range and the maps of the caller to plain arrays, through the flow, and back.
@@ -93,7 +107,7 @@ double smooth_point_set(PointRange& points, const std::optional<unsigned int>& k
   const std::function<bool(double)> callback =
       value_of(np, CGAL::internal_np::callback, std::function<bool(double)>());
   auto point_map = NP_helper::get_point_map(points, np);
-  auto normal_map = NP_helper::get_normal_map(points, np);
+  const auto normal_map = find_normal_map<typename NP_helper::Normal_map>(points, np);
 
   if (points.begin() == points.end())
     return 0.;
@@ -126,13 +140,13 @@ double smooth_point_set(PointRange& points, const std::optional<unsigned int>& k
         run_flow(tag, buffer, graph, scaled, frame.unit, flow, curvature, progress);
 
     std::vector<Kernel_vector_3> new_normals;
-    if (has_values(normal_map)) {
+    if (normal_map) {
       const std::vector<Vector_3> normals =
           find_normals(tag, buffer, graph, options, curvature, progress);
       std::size_t i = 0;
       for (auto it = points.begin(); it != points.end(); ++it, ++i) {
         const Vector_3& n = normals[buffer.site_of[i]];
-        const Kernel_vector_3& given = get(normal_map, *it);
+        const Kernel_vector_3& given = get(*normal_map, *it);
         const double side = to_double(given.x()) * n.x() + to_double(given.y()) * n.y() +
                             to_double(given.z()) * n.z();
         const double sign = side < 0. ? -1. : 1.;
@@ -155,7 +169,7 @@ double smooth_point_set(PointRange& points, const std::optional<unsigned int>& k
     exchange_values(points, point_map, new_points);
     if (!new_normals.empty()) {
       try {
-        exchange_values(points, normal_map, new_normals);
+        exchange_values(points, *normal_map, new_normals);
       }
       catch (...) {
         exchange_values(points, point_map, new_points);
