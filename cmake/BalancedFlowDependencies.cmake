@@ -3,18 +3,30 @@
 # Sets BALANCED_FLOW_DEPENDENCIES to the targets to link. Used by the build of this project and,
 # installed, by find_package(BalancedFlow): both see the same.
 
+set(BALANCED_FLOW_DEPENDENCIES "")
 if(NOT DEFINED BALANCED_FLOW_WITH_TBB)
   set(BALANCED_FLOW_WITH_TBB ON)
 endif()
 
+# In a build of this project a missing package is an error; for find_package(BalancedFlow) it
+# means that BalancedFlow was not found, and the caller decides.
+macro(balanced_flow_missing message)
+  if(NOT CMAKE_FIND_PACKAGE_NAME STREQUAL "BalancedFlow")
+    message(FATAL_ERROR "BalancedFlow: ${message}")
+  endif()
+  set(BalancedFlow_FOUND FALSE)
+  set(BalancedFlow_NOT_FOUND_MESSAGE "${message}")
+  return()
+endmacro()
+
 set(CGAL_DO_NOT_WARN_ABOUT_CMAKE_BUILD_TYPE TRUE)
 find_package(CGAL 5.5 QUIET)
 if(NOT CGAL_FOUND)
-  message(FATAL_ERROR "BalancedFlow: CGAL 5.5 or newer was not found (Debian, Ubuntu: libcgal-dev)")
+  balanced_flow_missing("CGAL 5.5 or newer was not found (Debian, Ubuntu: libcgal-dev)")
 endif()
 find_package(Eigen3 3.3 QUIET NO_MODULE)
 if(NOT TARGET Eigen3::Eigen)
-  message(FATAL_ERROR "BalancedFlow: Eigen 3.3 or newer was not found (Debian, Ubuntu: libeigen3-dev)")
+  balanced_flow_missing("Eigen 3.3 or newer was not found (Debian, Ubuntu: libeigen3-dev)")
 endif()
 set(EIGEN3_FOUND TRUE) # the name that CGAL's older modules ask for
 include(CGAL_Eigen3_support)

@@ -51,8 +51,9 @@ BOOST_AUTO_TEST_CASE(without_the_forcing_term_a_sphere_shrinks)
 {
   const Points noisy = noisy_sphere();
   const double before = shapes::mean_radius(noisy);
-  const auto shrinkage = [&](const auto& flow) {
-    return before - shapes::mean_radius(smoothed(noisy, flow, 200, 0));
+  const auto shrinkage = [&](const auto& flow, unsigned int iterations = 200,
+                             unsigned int update_period = 0) {
+    return before - shapes::mean_radius(smoothed(noisy, flow, iterations, update_period));
   };
   const double curvature = shrinkage(Curvature_flow()), anisotropic = shrinkage(Anisotropic_flow()),
                well_posed = shrinkage(Well_posed_anisotropic_flow());
@@ -67,6 +68,19 @@ BOOST_AUTO_TEST_CASE(without_the_forcing_term_a_sphere_shrinks)
                balanced = shrinkage(Balanced_flow());
   BOOST_TEST_MESSAGE("volume-preserving " << volume_preserving << ", balanced " << balanced);
   BOOST_TEST(std::abs(volume_preserving) < least / 8.);
+  BOOST_TEST(std::abs(balanced) < least / 8.);
+
+  // Each dynamic update gives up some of the volume. By 12 steps, the default, it is less than 1%.
+  const double dynamic = shrinkage(Volume_preserving_flow(), 12, 4),
+               dynamic_balanced = shrinkage(Balanced_flow(), 12, 4);
+  BOOST_TEST_MESSAGE("12 steps, L = 4: curvature flow "
+                     << shrinkage(Curvature_flow(), 12, 4) << ", volume-preserving " << dynamic
+                     << ", balanced " << dynamic_balanced
+                     << "; 200 steps, L = 4: volume-preserving "
+                     << shrinkage(Volume_preserving_flow(), 200, 4) << ", balanced "
+                     << shrinkage(Balanced_flow(), 200, 4));
+  BOOST_TEST(dynamic < .01 * radius);
+  BOOST_TEST(dynamic_balanced < .01 * radius);
 }
 
 BOOST_AUTO_TEST_CASE(every_flow_smooths_a_sphere)
@@ -117,32 +131,42 @@ BOOST_AUTO_TEST_CASE(the_dynamic_flow_flattens_a_cube_faster)
   Points noisy = shapes::cube(30);
   shapes::add_noise(noisy, .02);
   const double before = flatness_error(noisy);
-  const double fixed = flatness_error(smoothed(noisy, Volume_preserving_flow(), 200, 0));
-  const double dynamic = flatness_error(smoothed(noisy, Volume_preserving_flow(), 12, 4));
-  BOOST_TEST_MESSAGE("cube: noisy " << before << ", static 200 steps " << fixed
-                                    << ", dynamic 12 steps " << dynamic);
+  const auto flow = [&](const auto& f, unsigned int iterations, unsigned int update_period) {
+    return flatness_error(smoothed(noisy, f, iterations, update_period));
+  };
+  const double fixed = flow(Volume_preserving_flow(), 200, 0);
+  const double dynamic = flow(Volume_preserving_flow(), 12, 4);
+  const double balanced = flow(Balanced_flow(), 12, 4);
+  BOOST_TEST_MESSAGE("cube: noisy " << before << ", static 200 steps " << fixed << ", dynamic 12 "
+                                    << dynamic << ", balanced " << balanced);
   BOOST_TEST(fixed < before);
-  BOOST_TEST(dynamic < .9 * fixed);
-
-  const double balanced_fixed = flatness_error(smoothed(noisy, Balanced_flow(), 200, 0));
-  const double balanced = flatness_error(smoothed(noisy, Balanced_flow(), 12, 4));
-  BOOST_TEST_MESSAGE("balanced flow: static " << balanced_fixed << ", dynamic " << balanced);
+  BOOST_TEST(before - dynamic > 2. * (before - fixed));
   BOOST_TEST(balanced < .7 * before);
 }
 
-// Section 3.1: the solution stays within the flow diffusion band of the reference
+// Section 3.1: the solution stays within the flow diffusion band of the reference. Where the flow
+// is at rest, Eq. (8) says how far that is: not more than the directional curvature.
 BOOST_AUTO_TEST_CASE(no_point_leaves_the_diffusion_band)
 {
   const Points noisy = noisy_sphere();
-  const Points free = smoothed(noisy, Well_posed_anisotropic_flow(), 200, 0);
-  const Points bound = smoothed(noisy, Volume_preserving_flow(), 200, 0);
   const auto farthest = [&](const Points& points) {
     double largest = 0.;
     for (std::size_t i = 0; i < points.size(); ++i)
       largest = (std::max)(largest, std::sqrt(CGAL::squared_distance(points[i], noisy[i])));
     return largest;
   };
-  BOOST_TEST(farthest(bound) < .5 * farthest(free));
+  const internal::Neighbor_tree tree(CGAL::Sequential_tag(), noisy);
+  const std::function<bool(double)> no_callback;
+  internal::Progress progress(no_callback, 1.);
+  const internal::Neighbor_graph graph(CGAL::Sequential_tag(), tree, 20, 0., progress, 0.);
+  double band = 0.;
+  for (std::size_t i = 0; i < noisy.size(); ++i)
+    band = (std::max)(
+        band,
+        std::abs(Covariance_curvature()(graph.neighborhood(noisy, i, .3)).directional_curvature));
+
+  BOOST_TEST(farthest(smoothed(noisy, Volume_preserving_flow(), 200, 0)) <= band);
+  BOOST_TEST(farthest(smoothed(noisy, Well_posed_anisotropic_flow(), 200, 0)) > 2. * band);
 }
 
 BOOST_AUTO_TEST_CASE(points_move_along_their_normals_only)

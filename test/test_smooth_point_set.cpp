@@ -245,6 +245,26 @@ BOOST_AUTO_TEST_CASE(parallel_and_sequential_are_the_same_to_the_last_bit)
   BOOST_TEST(a == b);
   BOOST_TEST((sequential == parallel));
   BOOST_TEST(a > 0.);
+
+  // the same with all that can be passed
+  const auto run = [&](auto tag, const auto& flow) {
+    typedef std::tuple<shapes::Point_3, shapes::Vector_3, shapes::Point_3, bool> Item;
+    std::vector<Item> items;
+    for (std::size_t i = 0; i < noisy.size(); ++i)
+      items.emplace_back(noisy[i], CGAL::NULL_VECTOR, noisy[i] + shapes::Vector_3(.01, 0., 0.),
+                         i % 5 == 0);
+    const double moved = CGAL::balanced_flow_smooth_point_set<decltype(tag)>(
+        items, np::flow(flow)
+                   .initial_point_map(CGAL::Nth_of_tuple_property_map<2, Item>())
+                   .point_map(CGAL::Nth_of_tuple_property_map<0, Item>())
+                   .normal_map(CGAL::Nth_of_tuple_property_map<1, Item>())
+                   .point_is_constrained_map(CGAL::Nth_of_tuple_property_map<3, Item>()));
+    for (std::size_t i = 0; i < noisy.size(); i += 5)
+      BOOST_REQUIRE((std::get<0>(items[i]) == noisy[i])); // constrained, wherever others start
+    return std::make_pair(items, moved);
+  };
+  BOOST_TEST((run(Sequential(), Balanced_flow()) == run(CGAL::Parallel_tag(), Balanced_flow())));
+  BOOST_TEST((run(Sequential(), Curvature_flow()) == run(CGAL::Parallel_tag(), Curvature_flow())));
 #endif
 }
 
@@ -338,6 +358,21 @@ BOOST_AUTO_TEST_CASE(normals_are_right_and_keep_their_side)
       BOOST_REQUIRE((i % 3 == 0 ? cosine : -cosine) > 0.);
   }
   BOOST_TEST(mean_cosine > .99);
+}
+
+BOOST_AUTO_TEST_CASE(a_point_alone_keeps_its_normal)
+{
+  typedef std::pair<shapes::Point_3, shapes::Vector_3> Pair;
+  std::vector<Pair> pairs;
+  for (const auto& p : noisy_cube(6))
+    pairs.emplace_back(p, CGAL::NULL_VECTOR);
+  pairs.emplace_back(shapes::Point_3(50, 0, 0), shapes::Vector_3(3, 0, 0));
+  CGAL::balanced_flow_smooth_point_set<Sequential>(
+      pairs, 20,
+      np::neighbor_radius(1.)
+          .point_map(CGAL::First_of_pair_property_map<Pair>())
+          .normal_map(CGAL::Second_of_pair_property_map<Pair>()));
+  BOOST_TEST((pairs.back() == Pair(shapes::Point_3(50, 0, 0), shapes::Vector_3(1, 0, 0))));
 }
 
 BOOST_AUTO_TEST_CASE(constrained_points_stay)
@@ -435,6 +470,53 @@ BOOST_AUTO_TEST_CASE(small_and_degenerate_inputs)
   check_finite(line);
 }
 
+BOOST_AUTO_TEST_CASE(a_point_far_away_does_not_disturb_the_others)
+{
+  // sentinels of scanners are finite
+  const Points noisy = noisy_cube(), expected = smoothed(noisy);
+  for (const double far : {1e12, 1e20, 3.4e38, 1e100}) {
+    Points points = noisy;
+    points.emplace_back(far, 0., 0.);
+    points = smoothed(points);
+    BOOST_TEST(std::isfinite(points.back().x()));
+    points.pop_back();
+    BOOST_TEST(largest_difference(points, expected) < 1e-3); // K sees one point more
+  }
+}
+
+BOOST_AUTO_TEST_CASE(a_start_in_one_place_is_as_fast_as_another)
+{
+  typedef std::pair<shapes::Point_3, shapes::Point_3> Pair;
+  std::vector<Pair> pairs;
+  for (const auto& p : noisy_cube(40))
+    pairs.emplace_back(p, CGAL::ORIGIN);
+  CGAL::balanced_flow_smooth_point_set<Sequential>(
+      pairs, 20,
+      np::flow(Volume_preserving_flow())
+          .update_period(0)
+          .initial_point_map(CGAL::Second_of_pair_property_map<Pair>())
+          .number_of_iterations(20)
+          .point_map(CGAL::First_of_pair_property_map<Pair>()));
+  double mean = 0.;
+  for (const auto& pair : pairs)
+    mean += shapes::distance_to_cube(pair.first) / double(pairs.size());
+  BOOST_TEST(mean < .05); // back at the reference
+}
+
+BOOST_AUTO_TEST_CASE(a_flow_that_diverges_is_an_error)
+{
+  const Points noisy = noisy_cube(6);
+  Points points = noisy;
+  BOOST_CHECK_THROW(
+      CGAL::balanced_flow_smooth_point_set<Sequential>(points, 20, np::step_length(1e40)),
+      std::overflow_error);
+  BOOST_TEST((points == noisy));
+
+  Points plane = shapes::disc(100);
+  CGAL::balanced_flow_smooth_point_set<Sequential>(plane, 20, np::sharpness_angle(1e-80));
+  BOOST_TEST((plane == shapes::disc(100)));
+}
+
 BOOST_AUTO_TEST_CASE(errors_name_the_argument_and_leave_the_points)
 {
   const Points noisy = noisy_cube(6);
@@ -475,6 +557,25 @@ BOOST_AUTO_TEST_CASE(errors_name_the_argument_and_leave_the_points)
 }
 
 namespace {
+/// A normal map that refuses to write the n-th normal, and whose values come in proxies
+struct Failing_normal_map {
+  typedef std::pair<shapes::Point_3, shapes::Vector_3> key_type;
+  typedef shapes::Vector_3 value_type;
+  struct reference {
+    const shapes::Vector_3* vector;
+    operator const shapes::Vector_3&() const { return *vector; }
+  };
+  typedef boost::read_write_property_map_tag category;
+  int* writes_left;
+  friend reference get(const Failing_normal_map&, const key_type& p) { return {&p.second}; }
+  friend void put(const Failing_normal_map& map, key_type& p, const value_type& value)
+  {
+    if (--*map.writes_left == 0)
+      throw std::runtime_error("cannot write");
+    p.second = value;
+  }
+};
+
 /// A point map that refuses to write the n-th point
 struct Failing_map {
   typedef shapes::Point_3 key_type, value_type;
@@ -504,6 +605,19 @@ BOOST_AUTO_TEST_CASE(exceptions_of_callbacks_and_maps_leave_the_points)
                         points, np::callback(std::function<bool(double)>(throwing))),
                     std::runtime_error);
   BOOST_TEST((points == noisy));
+
+  // a normal map that throws takes the points back, too
+  typedef std::pair<shapes::Point_3, shapes::Vector_3> Pair;
+  std::vector<Pair> pairs;
+  for (const auto& p : noisy)
+    pairs.emplace_back(p, shapes::Vector_3(0, 0, 1));
+  const std::vector<Pair> pairs_before = pairs;
+  int normals_left = 100;
+  BOOST_CHECK_THROW(CGAL::balanced_flow_smooth_point_set<Sequential>(
+                        pairs, np::point_map(CGAL::First_of_pair_property_map<Pair>())
+                                   .normal_map(Failing_normal_map{&normals_left})),
+                    std::runtime_error);
+  BOOST_TEST((pairs == pairs_before));
 
   int writes_left = 100;
   BOOST_CHECK_THROW(CGAL::balanced_flow_smooth_point_set<Sequential>(

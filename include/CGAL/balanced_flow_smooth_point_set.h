@@ -30,9 +30,10 @@ namespace CGAL {
    - is written when all is computed: after an exception, or when the callback has cancelled the
      run, all points and normals are what they were.
 
-   Exact duplicates move as one point. Points do not move if they lie with all their neighbors in a
-   plane, in particular if there are three points or fewer, or if they have no neighbors within
-   `neighbor_radius`.
+   Exact duplicates move as one point. With the flows of this package, points that start at the
+   reference do not move if they lie with all their neighbors in a plane, in particular if there are
+   three points or fewer, or if they have no neighbors within `neighbor_radius`. Neighbors are
+   found once, in the reference.
 
    \tparam ConcurrencyTag enables sequential versus parallel algorithm. Possible values are
    `Sequential_tag`, `Parallel_tag`, and `Parallel_if_available_tag`. `Parallel_tag` needs the
@@ -59,7 +60,8 @@ namespace CGAL {
      \cgalParamNBegin{normal_map}
        \cgalParamDescription{a property map associating normals to the elements of the point set `points`.
                              The unit normals of the smoothed points are written there, on the side
-                             of the given ones where these are not zero, else on any side.}
+                             of the given ones where these are not zero, else on any side. Points with less than
+                             two neighbors keep the direction of the given ones.}
        \cgalParamType{a model of `ReadWritePropertyMap` whose key type is the value type of the
                       iterator of `PointRange` and whose value type is `geom_traits::Vector_3`}
        \cgalParamDefault{Normals are not written. A `Point_set_3` uses its own, if it has any.}
@@ -74,7 +76,7 @@ namespace CGAL {
      \cgalParamNEnd
 
      \cgalParamNBegin{number_of_iterations}
-       \cgalParamDescription{the number of steps of the flow; `0` leaves the points as they are}
+       \cgalParamDescription{the number of steps of the flow; after `0` the points are where they start}
        \cgalParamType{unsigned int}
        \cgalParamDefault{`12`}
      \cgalParamNEnd
@@ -161,7 +163,7 @@ namespace CGAL {
      \cgalParamNBegin{initial_point_map}
        \cgalParamDescription{a property map with the points from which the flow starts, \f$\chi\f$ of Eq. (7b).
                              The points of `point_map` are then only the reference \f$I\f$; the result is
-                             written to `point_map`.}
+                             written to `point_map`. Constrained points start, and stay, there.}
        \cgalParamType{a model of `ReadablePropertyMap` whose key type is the value type of the
                       iterator of `PointRange` and whose value type is `geom_traits::Point_3`}
        \cgalParamDefault{The flow starts at the reference.}
@@ -173,6 +175,7 @@ namespace CGAL {
 
    \throws std::invalid_argument if a coordinate is not finite or a parameter is out of its range;
    the message names the argument, its index and its value
+   \throws std::overflow_error if a point would become not finite, with steps that are too long
    \throws std::length_error if there are more than \f$2^{32}-1\f$ points
 
    Complexity: \f$O(n \log n + n k)\f$ time for the neighbors and \f$O(nk)\f$ for each iteration;

@@ -3,7 +3,12 @@
 // the truth is known. Prints a Markdown table.
 //   benchmark_smoothers [number of points] [mesh.off ...]
 #include <CGAL/AABB_face_graph_triangle_primitive.h>
+#include <CGAL/version.h>
+#if CGAL_VERSION_NR >= 1060000000
+#include <CGAL/AABB_traits_3.h>
+#else
 #include <CGAL/AABB_traits.h>
+#endif
 #include <CGAL/AABB_tree.h>
 #include <CGAL/Polygon_mesh_processing/measure.h>
 #include <CGAL/Polygon_mesh_processing/triangulate_faces.h>
@@ -32,8 +37,12 @@ typedef CGAL::Simple_cartesian<double> Kernel;
 typedef Kernel::Point_3 Point_3;
 typedef Kernel::Vector_3 Vector_3;
 typedef CGAL::Surface_mesh<Point_3> Mesh;
-typedef CGAL::AABB_tree<CGAL::AABB_traits<Kernel, CGAL::AABB_face_graph_triangle_primitive<Mesh>>>
-    Tree;
+typedef CGAL::AABB_face_graph_triangle_primitive<Mesh> Primitive;
+#if CGAL_VERSION_NR >= 1060000000
+typedef CGAL::AABB_tree<CGAL::AABB_traits_3<Kernel, Primitive>> Tree;
+#else
+typedef CGAL::AABB_tree<CGAL::AABB_traits<Kernel, Primitive>> Tree;
+#endif
 typedef std::vector<Point_3> Points;
 typedef CGAL::Parallel_if_available_tag Concurrency_tag;
 

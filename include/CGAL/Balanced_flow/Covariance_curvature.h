@@ -30,7 +30,7 @@ public:
   Curvature_3 operator()(const Neighborhood_3& neighborhood) const
   {
     const internal::Smallest_eigenpair_3 pair =
-        internal::smallest_eigenpair(covariance(neighborhood));
+        internal::smallest_eigenpair(internal::Covariance_3(neighborhood));
     const double sign = direction(neighborhood, pair.vector) >= 0. ? 1. : -1.;
     return {pair.vector, pair.variation, sign * pair.variation * neighborhood.radius()};
   }
@@ -38,7 +38,7 @@ public:
   /// Eq. (2) alone
   double variation(const Neighborhood_3& neighborhood) const
   {
-    return internal::smallest_eigenpair(covariance(neighborhood)).variation;
+    return internal::smallest_eigenpair(internal::Covariance_3(neighborhood)).variation;
   }
 
   /// Dire of Eq. (3): the Gaussian-weighted mean of \f$(n, p - u)\f$ over the neighbours \f$u\f$
@@ -52,12 +52,6 @@ public:
       weights += weight;
     }
     return weights > 0. ? sum / weights : 0.;
-  }
-
-private:
-  static internal::Covariance_3 covariance(const Neighborhood_3& neighborhood)
-  {
-    return internal::Covariance_3(neighborhood);
   }
 };
 

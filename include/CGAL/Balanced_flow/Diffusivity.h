@@ -4,6 +4,7 @@
 
 #include <CGAL/number_type_config.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace CGAL {
@@ -26,8 +27,12 @@ public:
 
   double feature_threshold() const { return m_feature_threshold; }
 
-  /// the diffusivity that is 1/2 at the given surface variation
-  static Diffusivity half_at(double variation) { return Diffusivity(1. / (variation * variation)); }
+  /// the diffusivity that is 1/2 at the given surface variation, or at 1e-150 if that is larger
+  static Diffusivity half_at(double variation)
+  {
+    variation = (std::max)(variation, 1e-150);
+    return Diffusivity(1. / (variation * variation));
+  }
 };
 
 /// \ingroup PkgBalancedFlowRef

@@ -44,10 +44,9 @@ public:
   /// \f$G(x) = e^{-x^2 / 2\sigma^2}\f$ of Eq. (3)
   double gaussian(double squared_distance) const
   {
-    const double sigma = m_filter_width * m_radius;
+    const double sigma = m_filter_width * m_radius, divisor = 2. * sigma * sigma;
     // a width of 0, or a neighbourhood shrunk to a point, leaves the point alone
-    return sigma > 0. ? std::exp(-squared_distance / (2. * sigma * sigma))
-                      : (squared_distance > 0. ? 0. : 1.);
+    return divisor > 0. ? std::exp(-squared_distance / divisor) : (squared_distance > 0. ? 0. : 1.);
   }
 };
 

@@ -10,6 +10,7 @@
 #include <CGAL/boost/graph/named_params_helper.h>
 
 #include <functional>
+#include <vector>
 
 namespace CGAL {
 namespace Point_set_flow {
@@ -44,10 +45,13 @@ Point_set_scale estimate_point_set_scale(const PointRange& points,
                                          const NamedParameters& np = parameters::default_values())
 {
   typedef Point_set_processing_3_np_helper<PointRange, NamedParameters> NP_helper;
-  const auto point_map = NP_helper::get_const_point_map(points, np);
-  const internal::Frame frame = internal::find_frame(points, point_map, "points");
-  const internal::Point_buffer buffer(ConcurrencyTag(), internal::copy_in(points, point_map, frame),
-                                      {}, {});
+  std::vector<Point_3> copy = internal::copy_in<typename NP_helper::Geom_traits::Point_3>(
+      points, NP_helper::get_const_point_map(points, np), "points");
+  if (copy.empty())
+    return Point_set_scale();
+  const internal::Frame frame = internal::find_frame(copy);
+  internal::move_to_core(copy, frame);
+  const internal::Point_buffer buffer(ConcurrencyTag(), copy, {}, {});
   const internal::Neighbor_tree tree(ConcurrencyTag(), buffer.points);
   const std::function<bool(double)> no_callback;
   internal::Progress progress(no_callback, 1.);

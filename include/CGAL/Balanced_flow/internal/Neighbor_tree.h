@@ -94,7 +94,8 @@ public:
         // this point, a ball larger by the distance of the two
         const double moved = std::sqrt(squared_distance(p, m_owner.m_points[m_center]));
         const double radius = std::sqrt(m_found.back().squared_distance) + moved;
-        m_bound = (std::min)(m_bound, radius * radius * (1. + 1e-12));
+        m_bound = (std::min)(m_bound, radius * radius * (1. + 1e-12) +
+                                          (std::numeric_limits<double>::min)()); // rounding
       }
       m_found.clear();
       m_center = i;

@@ -67,7 +67,7 @@ unsigned int to_count(const char* argument, Number value)
   const double number = static_cast<double>(value);
   if (!(number >= 0. && number <= double((std::numeric_limits<std::int32_t>::max)()) &&
         std::floor(number) == number))
-    throw_bad_argument(argument, value, "must be a whole number, 0 or larger");
+    throw_bad_argument(argument, value, "must be a whole number from 0 to 2147483647");
   return static_cast<unsigned int>(value);
 }
 

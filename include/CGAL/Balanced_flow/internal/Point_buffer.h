@@ -52,7 +52,7 @@ public:
     const std::vector<Point_3>& from = start.empty() ? input : start;
 
     const auto equal = [&](std::size_t a, std::size_t b) {
-      return from[a] == from[b] && (start.empty() || input[a] == input[b]);
+      return input[a] == input[b] && from[a] == from[b];
     };
     std::vector<std::uint32_t> sorted = sort(concurrency, input, from);
     std::vector<std::size_t> distinct; // one input point for each site
@@ -63,7 +63,7 @@ public:
     }
     sorted = std::vector<std::uint32_t>();
 
-    const auto point_map = CGAL::make_property_map(from);
+    const auto point_map = CGAL::make_property_map(input);
     hilbert_sort<ConcurrencyTag>(
         distinct.begin(), distinct.end(),
         Spatial_sort_traits_adapter_3<Core_kernel, decltype(point_map)>(point_map));
@@ -82,6 +82,9 @@ public:
       for (std::size_t i = 0; i < fixed.size(); ++i)
         if (fixed[i])
           constrained[site_of[i]] = 1;
+      for (std::size_t site = 0; site < points.size(); ++site)
+        if (constrained[site])
+          points[site] = reference[site]; // also if the others start elsewhere
     }
   }
 
@@ -96,7 +99,7 @@ private:
     std::vector<std::uint32_t> order(input.size());
     std::iota(order.begin(), order.end(), 0u);
     const auto less = [&](std::uint32_t a, std::uint32_t b) {
-      return from[a] < from[b] || (from[a] == from[b] && input[a] < input[b]);
+      return input[a] < input[b] || (input[a] == input[b] && from[a] < from[b]);
     };
 #ifdef CGAL_LINKED_WITH_TBB
     if constexpr (std::is_convertible<ConcurrencyTag, Parallel_tag>::value)

@@ -7,6 +7,7 @@
 #include <CGAL/number_utils.h>
 #include <CGAL/property_map.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <sstream>
@@ -25,53 +26,62 @@ struct Frame {
   double center[3] = {0., 0., 0.};
   double unit = 1.;
 
-  template <typename Point>
-  Point_3 to_core(const Point& p) const
+  template <typename Kernel_point_3>
+  Point_3 to_core(const Kernel_point_3& p) const
   {
     return Point_3((to_double(p.x()) - center[0]) / unit, (to_double(p.y()) - center[1]) / unit,
                    (to_double(p.z()) - center[2]) / unit);
   }
 };
 
-/// Finds the frame of a range of points; throws if a coordinate is not finite.
-template <typename PointRange, typename PointMap>
-Frame find_frame(const PointRange& points, PointMap point_map, const std::string& argument)
+/// Copies points as they are; throws if a coordinate is not finite.
+template <typename Kernel_point_3, typename PointRange, typename PointMap>
+std::vector<Point_3> copy_in(const PointRange& points, PointMap point_map,
+                             const std::string& argument)
 {
-  double low[3], high[3];
-  std::size_t index = 0;
-  for (auto it = points.begin(); it != points.end(); ++it, ++index) {
-    const auto& p = get(point_map, *it);
-    const double c[3] = {to_double(p.x()), to_double(p.y()), to_double(p.z())};
-    for (int d = 0; d < 3; ++d) {
-      if (!std::isfinite(c[d])) {
-        std::ostringstream value;
-        value << "(" << c[0] << ", " << c[1] << ", " << c[2] << ")";
-        throw_bad_argument(argument + "[" + std::to_string(index) + "]", value.str(),
-                           "coordinates must be finite");
-      }
-      low[d] = index == 0 ? c[d] : (std::min)(low[d], c[d]);
-      high[d] = index == 0 ? c[d] : (std::max)(high[d], c[d]);
+  std::vector<Point_3> copy;
+  for (auto it = points.begin(); it != points.end(); ++it) {
+    const Kernel_point_3& p = get(point_map, *it);
+    copy.emplace_back(to_double(p.x()), to_double(p.y()), to_double(p.z()));
+    const Point_3& c = copy.back();
+    if (!(std::isfinite(c.x()) && std::isfinite(c.y()) && std::isfinite(c.z()))) {
+      std::ostringstream value;
+      value << "(" << c.x() << ", " << c.y() << ", " << c.z() << ")";
+      throw_bad_argument(argument + "[" + std::to_string(copy.size() - 1) + "]", value.str(),
+                         "coordinates must be finite");
     }
   }
+  return copy;
+}
+
+/// The frame of points, which are not empty. Its center is the median of each coordinate: a few
+/// points far away, which scanners use for "nothing there", do not cost the others their digits.
+inline Frame find_frame(const std::vector<Point_3>& points)
+{
   Frame frame;
   double extent = 0.;
-  for (int d = 0; d < 3 && index != 0; ++d) {
-    frame.center[d] = low[d] / 2. + high[d] / 2.;
-    extent = (std::max)(extent, high[d] / 2. - low[d] / 2.);
+  std::vector<double> coordinates(points.size());
+  for (int d = 0; d < 3; ++d) {
+    for (std::size_t i = 0; i < points.size(); ++i)
+      coordinates[i] = points[i][d];
+    const auto middle = coordinates.begin() + std::ptrdiff_t(points.size() / 2);
+    std::nth_element(coordinates.begin(), middle, coordinates.end());
+    frame.center[d] = *middle;
+    for (const double c : coordinates)
+      extent = (std::max)(extent, std::abs(c / 2. - frame.center[d] / 2.));
   }
-  if (extent != 0. && (extent < 1e-100 || extent > 1e100))
-    frame.unit = std::ldexp(1., std::ilogb(extent));
+  if (extent > 1e140) // not more than it takes to square them
+    frame.unit = std::ldexp(1., std::ilogb(extent) - 465);
+  else if (extent != 0. && extent < 1e-100)
+    frame.unit = std::ldexp(1., (std::max)(std::ilogb(extent), -1020));
   return frame;
 }
 
-/// Copies the points of the caller into the coordinates of the core.
-template <typename PointRange, typename PointMap>
-std::vector<Point_3> copy_in(const PointRange& points, PointMap point_map, const Frame& frame)
+/// Brings a copy into the coordinates of the core.
+inline void move_to_core(std::vector<Point_3>& points, const Frame& frame)
 {
-  std::vector<Point_3> core;
-  for (auto it = points.begin(); it != points.end(); ++it)
-    core.push_back(frame.to_core(get(point_map, *it)));
-  return core;
+  for (Point_3& p : points)
+    p = frame.to_core(p);
 }
 
 } // namespace internal

@@ -35,12 +35,12 @@ inline Diffusivity automatic_diffusivity(double sharpness_angle, std::vector<dou
       (std::max)(crease_variation(sharpness_angle), above_noise * median(variation)));
 }
 
-/// The neighbourhoods of the start, which serve the whole run.
+/// The neighbourhoods in the reference, which serve the whole run: the start may be anything.
 template <typename ConcurrencyTag>
 Neighbor_graph make_graph(ConcurrencyTag tag, const Point_buffer& buffer, const Options& options,
                           Progress& progress)
 {
-  const Neighbor_tree tree(tag, buffer.points);
+  const Neighbor_tree tree(tag, buffer.reference);
   const unsigned int k = options.k ? *options.k : find_scale(tag, tree, progress, work::scale).k;
   return Neighbor_graph(tag, tree, k, options.neighbor_radius, progress, work::graph);
 }
@@ -83,18 +83,22 @@ double run_flow(ConcurrencyTag, Point_buffer& buffer, const Neighbor_graph& grap
   return moved;
 }
 
-/// The normals of the points where they are now.
+/// The normals of the points where they are now; null vectors where there are less than two
+/// neighbours, and so no plane.
 template <typename ConcurrencyTag, typename Curvature>
 std::vector<Vector_3> find_normals(ConcurrencyTag, const Point_buffer& buffer,
                                    const Neighbor_graph& graph, const Options& options,
                                    const Curvature& curvature, Progress& progress)
 {
-  std::vector<Vector_3> normals(buffer.size());
-  for_each_block<ConcurrencyTag>(
-      buffer.size(), progress, work::variation, [&](std::size_t begin, std::size_t end) {
-        for (std::size_t i = begin; i < end; ++i)
-          normals[i] = curvature(graph.neighborhood(buffer.points, i, options.filter_width)).normal;
-      });
+  std::vector<Vector_3> normals(buffer.size(), NULL_VECTOR);
+  const auto find = [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) {
+      const Neighborhood_3 near = graph.neighborhood(buffer.points, i, options.filter_width);
+      if (near.size() >= 2)
+        normals[i] = curvature(near).normal;
+    }
+  };
+  for_each_block<ConcurrencyTag>(buffer.size(), progress, work::variation, find);
   return normals;
 }
 

@@ -13,9 +13,12 @@
 #include <CGAL/boost/graph/named_params_helper.h>
 #include <CGAL/property_map.h>
 
+#include <cmath>
 #include <functional>
 #include <limits>
 #include <optional>
+#include <stdexcept>
+#include <string>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -90,6 +93,15 @@ std::optional<NormalMap> find_normal_map(PointRange& points, const NamedParamete
   return std::nullopt;
 }
 
+/// The normal on the side of the given one. A point without a plane of neighbours keeps that one.
+inline Vector_3 oriented_normal(const Vector_3& normal, const Vector_3& given)
+{
+  const double length = std::sqrt(given.squared_length());
+  if (normal == NULL_VECTOR)
+    return length > 0. && std::isfinite(length) ? given / length : Vector_3(0., 0., 1.);
+  return normal * given < 0. ? -normal : normal;
+}
+
 /// From the range and the maps of the caller to plain arrays, through the flow, and back.
 /// Nothing of the caller is written before the flow has ended.
 template <typename ConcurrencyTag, typename PointRange, typename NamedParameters>
@@ -111,13 +123,13 @@ double smooth_point_set(PointRange& points, const std::optional<unsigned int>& k
 
   if (points.begin() == points.end())
     return 0.;
-  const Frame frame = find_frame(points, point_map, "points");
-  const std::vector<Point_3> input = copy_in(points, point_map, frame);
-  std::vector<Point_3> start;
+  std::vector<Point_3> input = copy_in<Kernel_point_3>(points, point_map, "points"), start;
+  const Frame frame = find_frame(input);
+  move_to_core(input, frame);
   if constexpr (is_given<NamedParameters, internal_np::initial_point_map_t>) {
     const auto start_map = parameters::get_parameter(np, internal_np::initial_point_map_t());
-    find_frame(points, start_map, "initial_point_map"); // only for its check
-    start = copy_in(points, start_map, frame);
+    start = copy_in<Kernel_point_3>(points, start_map, "initial_point_map");
+    move_to_core(start, frame);
   }
   std::vector<char> fixed;
   if constexpr (is_given<NamedParameters, CGAL::internal_np::point_is_constrained_t>) {
@@ -145,13 +157,11 @@ double smooth_point_set(PointRange& points, const std::optional<unsigned int>& k
           find_normals(tag, buffer, graph, options, curvature, progress);
       std::size_t i = 0;
       for (auto it = points.begin(); it != points.end(); ++it, ++i) {
-        const Vector_3& n = normals[buffer.site_of[i]];
         const Kernel_vector_3& given = get(*normal_map, *it);
-        const double side = to_double(given.x()) * n.x() + to_double(given.y()) * n.y() +
-                            to_double(given.z()) * n.z();
-        const double sign = side < 0. ? -1. : 1.;
-        new_normals.push_back(
-            Kernel_vector_3(FT(sign * n.x()), FT(sign * n.y()), FT(sign * n.z())));
+        const Vector_3 n = oriented_normal(
+            normals[buffer.site_of[i]],
+            Vector_3(to_double(given.x()), to_double(given.y()), to_double(given.z())));
+        new_normals.push_back(Kernel_vector_3(FT(n.x()), FT(n.y()), FT(n.z())));
       }
     }
 
@@ -162,6 +172,10 @@ double smooth_point_set(PointRange& points, const std::optional<unsigned int>& k
       // that do not move
       const Kernel_point_3& p = get(point_map, *it);
       const Vector_3 d = (buffer.points[buffer.site_of[i]] - input[i]) * frame.unit;
+      if (!(std::isfinite(d.x()) && std::isfinite(d.y()) && std::isfinite(d.z())))
+        throw std::overflow_error(
+            "CGAL::balanced_flow_smooth_point_set: the flow diverges at points[" +
+            std::to_string(i) + "], try a smaller step_length");
       new_points.push_back(Kernel_point_3(p.x() + FT(d.x()), p.y() + FT(d.y()), p.z() + FT(d.z())));
     }
 
