@@ -5,10 +5,8 @@
 #include <CGAL/Balanced_flow/Neighborhood_3.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
-#include <utility>
 
 namespace CGAL {
 namespace Point_set_flow {

@@ -3,7 +3,6 @@
 #define CGAL_BALANCED_FLOW_INTERNAL_PROGRESS_H
 
 #include <algorithm>
-#include <cstddef>
 #include <functional>
 
 namespace CGAL {

@@ -2,11 +2,7 @@
 #ifndef CGAL_BALANCED_FLOW_INTERNAL_COPY_OUT_H
 #define CGAL_BALANCED_FLOW_INTERNAL_COPY_OUT_H
 
-#include <CGAL/Balanced_flow/Vector_types.h>
-
 #include <cstddef>
-#include <exception>
-#include <utility>
 #include <vector>
 
 namespace CGAL {
