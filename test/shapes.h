@@ -84,6 +84,22 @@ void add_noise(std::vector<Point>& points, double sigma, unsigned int seed = 1)
   }
 }
 
+/// A cube with noise, of 6 m * m points
+inline Points noisy_cube(int m = 16, double sigma = .02)
+{
+  Points points = cube(m);
+  add_noise(points, sigma);
+  return points;
+}
+
+inline double largest_difference(const Points& a, const Points& b)
+{
+  double largest = 0.;
+  for (std::size_t i = 0; i < a.size(); ++i)
+    largest = (std::max)(largest, CGAL::squared_distance(a[i], b[i]));
+  return std::sqrt(largest);
+}
+
 /// The root of the mean square of `distance` over the points
 template <typename Distance>
 double rms(const Points& points, const Distance& distance)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the paper says of its flows, with numbers.
+// What the paper says of its flows, with numbers, for the paper's estimator.
 #define BOOST_TEST_MODULE flows
 #include <boost/test/included/unit_test.hpp>
 
@@ -18,7 +18,11 @@ Points smoothed(Points points, const Flow& flow, unsigned int iterations,
                 unsigned int update_period, unsigned int k = 20)
 {
   CGAL::balanced_flow_smooth_point_set<CGAL::Parallel_if_available_tag>(
-      points, k, np::flow(flow).update_period(update_period).number_of_iterations(iterations));
+      points, k,
+      np::flow(flow)
+          .curvature(Covariance_curvature())
+          .update_period(update_period)
+          .number_of_iterations(iterations));
   return points;
 }
 
@@ -109,6 +113,7 @@ BOOST_AUTO_TEST_CASE(from_a_corrupted_start_the_volume_preserving_flow_comes_bac
   CGAL::balanced_flow_smooth_point_set<CGAL::Sequential_tag>(
       pairs, 20,
       np::flow(Volume_preserving_flow())
+          .curvature(Covariance_curvature())
           .update_period(0)
           .initial_point_map(CGAL::Second_of_pair_property_map<Pair>())
           .number_of_iterations(30)
@@ -212,13 +217,13 @@ BOOST_AUTO_TEST_CASE(a_large_feature_threshold_stops_and_a_threshold_of_zero_is_
 {
   const Points noisy = noisy_sphere();
   Points stopped = noisy, isotropic = noisy;
-  CGAL::balanced_flow_smooth_point_set<CGAL::Sequential_tag>(stopped, 20,
-                                                             np::feature_threshold(1e12));
+  CGAL::balanced_flow_smooth_point_set<CGAL::Sequential_tag>(
+      stopped, 20, np::feature_threshold(1e12).curvature(Covariance_curvature()));
   for (std::size_t i = 0; i < noisy.size(); ++i)
     BOOST_REQUIRE(CGAL::squared_distance(stopped[i], noisy[i]) < 1e-8);
 
-  CGAL::balanced_flow_smooth_point_set<CGAL::Sequential_tag>(isotropic, 20,
-                                                             np::feature_threshold(0));
+  CGAL::balanced_flow_smooth_point_set<CGAL::Sequential_tag>(
+      isotropic, 20, np::feature_threshold(0).curvature(Covariance_curvature()));
   BOOST_TEST((isotropic == smoothed(noisy, Curvature_flow(), 12, 4)));
 }
 
@@ -237,7 +242,7 @@ struct Umbrella {
     const double length = std::sqrt(sum.squared_length()) + 1e-300;
     return {sum / length, 0., length / double(neighborhood.size())};
   }
-  double variation(const Neighborhood_3&) const { return 0.; }
+  Tangent_plane_3 tangent_plane(const Neighborhood_3&) const { return {Vector_3(0., 0., 1.), 0.}; }
 };
 } // namespace
 

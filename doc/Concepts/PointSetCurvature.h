@@ -12,13 +12,29 @@ The points come in the unit of the data, moved to the origin. (Only where coordi
 less than \f$10^{-100}\f$ or more than \f$10^{100}\f$ they come scaled by a power of 2: lengths
 that are returned must scale with the points.)
 
+Each step of the flow first asks for the tangent planes of all points, and then for the curvatures.
+- If the nested type `Uses_normals` is `CGAL::Tag_true`, the tangent planes are those of the points
+  as they are, and both functions see the normals of all points: the first those of the step
+  before, none in the first step, the second the new ones. The noise around the point is known, too.
+- If it is `CGAL::Tag_false`, or missing, the tangent planes are those of the prefiltered points,
+  and only their variation is used, for the diffusivity.
+
+A static member function `defaults()` may return the parameters that suit the estimator.
+
+\cgalHasModel `CGAL::Point_set_flow::Tangent_plane_curvature`
 \cgalHasModel `CGAL::Point_set_flow::Covariance_curvature`
 */
 class PointSetCurvature {
 public:
+  /// whether the estimator looks at normals and noise; optional
+  typedef unspecified_type Uses_normals;
+
+  /// returns the parameters that suit the estimator; optional
+  static CGAL::Point_set_flow::Curvature_defaults defaults();
+
   /// returns the normal, the variation and the directional curvature
   CGAL::Point_set_flow::Curvature_3 operator()(const CGAL::Point_set_flow::Neighborhood_3& neighborhood) const;
 
-  /// returns the variation alone, of the prefiltered surface
-  double variation(const CGAL::Point_set_flow::Neighborhood_3& neighborhood) const;
+  /// returns the normal and the variation
+  CGAL::Point_set_flow::Tangent_plane_3 tangent_plane(const CGAL::Point_set_flow::Neighborhood_3& neighborhood) const;
 };

@@ -16,9 +16,15 @@ namespace CGAL {
    \cgalCite{xmlp-dbffpsg}, Eq. (9), Table 1 and section 3.2 of the paper.
 
    In each iteration every point moves along its normal with the speed of its directional
-   curvature, slowed down where the prefiltered surface has features, and is drawn back there to
-   the reference surface. The reference is the input, and every `update_period` iterations what
-   the points have become. The other flows of the paper can be chosen with the parameter `flow`.
+   curvature, slowed down where the surface has features that the noise does not explain, and is
+   drawn back there to the reference surface. The reference is the input, and every
+   `update_period` iterations what the points have become.
+
+   The directional curvature and the normals are those of `Point_set_flow::Tangent_plane_curvature`,
+   which keeps sharp features and does not shrink curved surfaces. How strong the noise is, what
+   neighborhoods suit it, and where the surface is thin, is found in the data. The estimator of the
+   paper itself is `Point_set_flow::Covariance_curvature`, for the parameter `curvature`; the other
+   flows of the paper can be chosen with the parameter `flow`.
 
    The function can replace `CGAL::jet_smooth_point_set()` and
    `CGAL::bilateral_smooth_point_set()`. Normals are not needed.
@@ -32,8 +38,9 @@ namespace CGAL {
 
    Exact duplicates move as one point. With the flows of this package, points that start at the
    reference do not move if they lie with all their neighbors in a plane, in particular if there are
-   three points or fewer, or if they have no neighbors within `neighbor_radius`. Neighbors are
-   found once, in the reference.
+   three points or fewer, or if they have no neighbors within `neighbor_radius`. Points without
+   noise, or with less than a tenth of their spacing, hardly move. Neighbors are found once, in the
+   reference.
 
    \tparam ConcurrencyTag enables sequential versus parallel algorithm. Possible values are
    `Sequential_tag`, `Parallel_tag`, and `Parallel_if_available_tag`. `Parallel_tag` needs the
@@ -43,7 +50,8 @@ namespace CGAL {
 
    \param points input point range; may be empty
    \param k number of neighbors of each point; the more, the smoother the result. Where there are
-   not as many points, all are neighbors.
+   not as many points, all are neighbors. Without it (see the other overload) the number suits the
+   noise, which is usually better.
    \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones
    listed below. Those of this package, from `flow` on, must come first.
 
@@ -78,15 +86,18 @@ namespace CGAL {
      \cgalParamNBegin{number_of_iterations}
        \cgalParamDescription{the number of steps of the flow; after `0` the points are where they start}
        \cgalParamType{unsigned int}
-       \cgalParamDefault{`12`}
+       \cgalParamDefault{At most what suits the estimator: `6`, and `12` for `Covariance_curvature`. The flow
+                         stops before that when a step moves the points by less than 1% of the noise.}
      \cgalParamNEnd
 
      \cgalParamNBegin{sharpness_angle}
        \cgalParamDescription{the angle in degrees between the normals of two planes from which on their
-                             crease is a feature to be kept. From it and the median of the measured
-                             surface variation, which stands for the noise, \f$K\f$ is chosen.}
+                             crease is a feature. From it and the median of the measured surface
+                             variation, which stands for the noise, \f$K\f$ is chosen. With the default
+                             estimator, which keeps creases by its weights, it only decides where
+                             the forcing term holds on to detail.}
        \cgalParamType{floating scalar value}
-       \cgalParamDefault{`30`}
+       \cgalParamDefault{`60`, and `30` for `Covariance_curvature`}
        \cgalParamExtra{The larger the value is, the smoother the result will be. The range of
                        possible values is `(0, 180]`. Not used if `feature_threshold` is given.}
      \cgalParamNEnd
@@ -127,7 +138,7 @@ namespace CGAL {
      \cgalParamNBegin{curvature}
        \cgalParamDescription{the estimator of normals and curvature}
        \cgalParamType{a model of `PointSetCurvature`}
-       \cgalParamDefault{`Point_set_flow::Covariance_curvature`}
+       \cgalParamDefault{`Point_set_flow::Tangent_plane_curvature`}
      \cgalParamNEnd
 
      \cgalParamNBegin{feature_threshold}
@@ -142,14 +153,14 @@ namespace CGAL {
        \cgalParamDescription{the width \f$\sigma\f$ of the Gaussians of the prefilter and of Eq. (3), in multiples
                              of the neighborhood radius, which is the distance of the farthest neighbor}
        \cgalParamType{floating scalar value, not negative}
-       \cgalParamDefault{`0.3`}
+       \cgalParamDefault{`0.6`, and `0.3` for `Covariance_curvature`; wider if `k` is smaller than suits the noise}
      \cgalParamNEnd
 
      \cgalParamNBegin{step_length}
        \cgalParamDescription{the step \f$s\f$ of Table 1, without unit: of 1, a point moves by its whole
-                             directional curvature (the surface variation times the neighborhood radius)}
+                             directional curvature}
        \cgalParamType{floating scalar value, not negative}
-       \cgalParamDefault{`0.75`}
+       \cgalParamDefault{`0.65`, and `0.75` for `Covariance_curvature`}
        \cgalParamExtra{Flows with a forcing term need a step below 2 to be stable.}
      \cgalParamNEnd
 
@@ -167,6 +178,15 @@ namespace CGAL {
        \cgalParamType{a model of `ReadablePropertyMap` whose key type is the value type of the
                       iterator of `PointRange` and whose value type is `geom_traits::Point_3`}
        \cgalParamDefault{The flow starts at the reference.}
+     \cgalParamNEnd
+
+     \cgalParamNBegin{feature_strength_map}
+       \cgalParamDescription{a property map that receives how much of a feature each point is: \f$1 - g\f$ of the
+                             surface variation of the result, 0 on flat parts and 1/2 at a crease of
+                             `sharpness_angle`}
+       \cgalParamType{a model of `ReadWritePropertyMap` whose key type is the value type of the
+                      iterator of `PointRange` and whose value type is a floating point number}
+       \cgalParamDefault{not computed}
      \cgalParamNEnd
    \cgalNamedParamsEnd
 
@@ -195,8 +215,9 @@ double balanced_flow_smooth_point_set(PointRange& points, unsigned int k,
 /**
    \ingroup PkgBalancedFlowRef
 
-   smooths a point set as above, with a number of neighbors that is chosen from the data: from the
-   noise and the spacing that `Point_set_flow::estimate_point_set_scale()` finds.
+   smooths a point set as above, with numbers of neighbors that are chosen from the data: from the
+   spacing and from the noise around each point, and fewer where two sheets of the surface are close
+   to each other.
 */
 template <
     typename ConcurrencyTag, typename PointRange,

@@ -2,19 +2,13 @@
 #ifndef CGAL_BALANCED_FLOW_COVARIANCE_CURVATURE_H
 #define CGAL_BALANCED_FLOW_COVARIANCE_CURVATURE_H
 
+#include <CGAL/Balanced_flow/Curvature_3.h>
 #include <CGAL/Balanced_flow/Neighborhood_3.h>
 #include <CGAL/Balanced_flow/internal/Covariance_3.h>
+#include <CGAL/tags.h>
 
 namespace CGAL {
 namespace Point_set_flow {
-
-/// \ingroup PkgBalancedFlowRef
-/// What a curvature estimator says of one point.
-struct Curvature_3 {
-  Vector_3 normal;              ///< a unit vector; its side does not matter
-  double variation;             ///< without unit, at least 0, 0 where the surface is flat
-  double directional_curvature; ///< a length, signed along `normal`
-};
 
 /// \ingroup PkgBalancedFlowRef
 /// The curvature of the paper, by covariance analysis: Eq. (1), (2) and (3).
@@ -26,6 +20,8 @@ struct Curvature_3 {
 /// \cgalModels `PointSetCurvature`
 class Covariance_curvature {
 public:
+  typedef Tag_false Uses_normals;
+
   /// Eq. (1) to (3)
   Curvature_3 operator()(const Neighborhood_3& neighborhood) const
   {
@@ -35,10 +31,12 @@ public:
     return {pair.vector, pair.variation, sign * pair.variation * neighborhood.radius()};
   }
 
-  /// Eq. (2) alone
-  double variation(const Neighborhood_3& neighborhood) const
+  /// Eq. (1) and (2) alone
+  Tangent_plane_3 tangent_plane(const Neighborhood_3& neighborhood) const
   {
-    return internal::smallest_eigenpair(internal::Covariance_3(neighborhood)).variation;
+    const internal::Smallest_eigenpair_3 pair =
+        internal::smallest_eigenpair(internal::Covariance_3(neighborhood));
+    return {pair.vector, pair.variation};
   }
 
   /// Dire of Eq. (3): the Gaussian-weighted mean of \f$(n, p - u)\f$ over the neighbours \f$u\f$

@@ -12,8 +12,9 @@ struct Point_set_scale {
   double noise = 0.;
   /// the side of the square that each point has for itself, in the unit of the data
   double spacing = 0.;
-  /// the number of neighbours that `balanced_flow_smooth_point_set()` takes if it is given none
-  unsigned int k = 20;
+  /// the number of neighbours that suits this noise: about what `balanced_flow_smooth_point_set()`
+  /// takes if it is given none
+  unsigned int k = 24;
 };
 
 } // namespace Point_set_flow

@@ -3,6 +3,7 @@
 #define CGAL_BALANCED_FLOW_ESTIMATE_POINT_SET_SCALE_H
 
 #include <CGAL/Balanced_flow/Point_set_scale.h>
+#include <CGAL/Balanced_flow/Tangent_plane_curvature.h>
 #include <CGAL/Balanced_flow/internal/Point_buffer.h>
 #include <CGAL/Balanced_flow/internal/copy_in.h>
 #include <CGAL/Balanced_flow/internal/find_scale.h>
@@ -18,8 +19,8 @@ namespace Point_set_flow {
 /**
    \ingroup PkgBalancedFlowRef
 
-   estimates the noise and the spacing of a point set, and with them the number of neighbours that
-   `balanced_flow_smooth_point_set()` takes if it is given none.
+   estimates the noise and the spacing of a point set, and with them the number of neighbors that
+   suits the default estimator of `balanced_flow_smooth_point_set()`.
 
    The noise is the median deviation of about 1,000 neighbourhoods from fitted quadrics. Of the
    neighbourhood sizes 12, 24, 48, 96 and 192 it takes the first whose radius is at least four
@@ -56,9 +57,12 @@ Point_set_scale estimate_point_set_scale(const PointRange& points,
   const std::function<bool(double)> no_callback;
   internal::Progress progress(no_callback, 1.);
 
-  Point_set_scale scale = internal::find_scale(ConcurrencyTag(), tree, progress, 1.);
-  scale.noise *= frame.unit;
-  scale.spacing *= frame.unit;
+  const internal::Sampled_scale found = internal::find_scale(ConcurrencyTag(), tree, progress, 1.);
+  const double ratio = found.spacing > 0. ? found.noise / found.spacing : 0.;
+  Point_set_scale scale;
+  scale.noise = found.noise * frame.unit;
+  scale.spacing = found.spacing * frame.unit;
+  scale.k = internal::neighborhood_size(Tangent_plane_curvature::defaults(), ratio);
   return scale;
 }
 

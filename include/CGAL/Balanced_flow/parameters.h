@@ -17,7 +17,8 @@ namespace Point_set_flow {
   DEFINE(filter_width)                                                                             \
   DEFINE(step_length)                                                                              \
   DEFINE(update_period)                                                                            \
-  DEFINE(initial_point_map)
+  DEFINE(initial_point_map)                                                                        \
+  DEFINE(feature_strength_map)
 
 /// The tags by which named parameters are looked up.
 namespace internal_np {
@@ -63,8 +64,8 @@ namespace parameters {
 
 /// \addtogroup PkgBalancedFlowRef
 /// The named parameters of this package, documented at `balanced_flow_smooth_point_set()`: `flow`,
-/// `curvature`, `feature_threshold`, `filter_width`, `step_length`, `update_period` and
-/// `initial_point_map`. They start a pack, in any order, and those of \cgal follow.
+/// `curvature`, `feature_threshold`, `filter_width`, `step_length`, `update_period`,
+/// `initial_point_map` and `feature_strength_map`. They start a pack, in any order, and those of \cgal follow.
 /// @{
 #define CGAL_BALANCED_FLOW_FUNCTION(NAME)                                                          \
   template <typename K>                                                                            \

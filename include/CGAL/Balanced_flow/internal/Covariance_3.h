@@ -33,11 +33,14 @@ struct Covariance_3 {
       add((neighborhood[j] - p) - mean);
   }
 
-  void add(const Vector_3& d)
+  void add(const Vector_3& d, double weight = 1.)
   {
-    xx += d.x() * d.x(), xy += d.x() * d.y(), xz += d.x() * d.z();
-    yy += d.y() * d.y(), yz += d.y() * d.z(), zz += d.z() * d.z();
+    const double x = weight * d.x(), y = weight * d.y();
+    xx += x * d.x(), xy += x * d.y(), xz += x * d.z();
+    yy += y * d.y(), yz += y * d.z(), zz += weight * d.z() * d.z();
   }
+
+  double trace() const { return xx + yy + zz; }
 };
 
 /// The direction of least variance and, Eq. (2), its share of the whole variance.
@@ -50,7 +53,7 @@ struct Smallest_eigenpair_3 {
 /// the smallest eigenvalue, where closed formulas lose half of the digits.
 inline Smallest_eigenpair_3 smallest_eigenpair(const Covariance_3& c)
 {
-  const double trace = c.xx + c.yy + c.zz;
+  const double trace = c.trace();
   if (!(trace > (std::numeric_limits<double>::min)()))
     return {Vector_3(0., 0., 1.), 0.}; // all points in one place
 

@@ -53,11 +53,34 @@ public:
 
   /// \param points where the points are now
   /// \param filter_width the width of the Gaussian in multiples of the neighbourhood radius
+  /// \param surface what else is known of the surface around point `i`
   Neighborhood_3 neighborhood(const std::vector<Point_3>& points, std::size_t i,
-                              double filter_width) const
+                              double filter_width,
+                              const Surface_estimate_3& surface = Surface_estimate_3()) const
   {
-    return Neighborhood_3(points.data(), i, m_neighbors.data() + i * m_stride,
-                          m_sizes.empty() ? m_stride : m_sizes[i], m_radii[i], filter_width);
+    return Neighborhood_3(points.data(), i, neighbors(i), size(i), m_radii[i], filter_width,
+                          surface);
+  }
+
+  std::size_t size(std::size_t i) const { return m_sizes.empty() ? m_stride : m_sizes[i]; }
+  std::size_t largest_size() const { return m_stride; }
+  const std::uint32_t* neighbors(std::size_t i) const { return m_neighbors.data() + i * m_stride; }
+  double radius(std::size_t i) const { return m_radii[i]; }
+
+  /// Leaves each point the nearest of its neighbours.
+  /// \param points where the points were when the graph was made
+  /// \param sizes how many, for each point; more than there are is as many as there are
+  void shrink(const std::vector<Point_3>& points, const std::vector<std::uint32_t>& sizes)
+  {
+    m_sizes.resize(m_radii.size(), static_cast<std::uint32_t>(m_stride));
+    for (std::size_t i = 0; i < sizes.size(); ++i)
+      if (sizes[i] < m_sizes[i]) {
+        m_sizes[i] = sizes[i];
+        m_radii[i] =
+            sizes[i] > 0
+                ? std::sqrt(squared_distance(points[i], points[neighbors(i)[sizes[i] - 1]]))
+                : 0.;
+      }
   }
 };
 

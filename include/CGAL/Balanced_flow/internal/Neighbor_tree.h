@@ -71,7 +71,9 @@ public:
     std::size_t m_k;
     double m_largest; // no neighbour is farther than this squared distance
     double m_bound = 0.;
-    std::size_t m_center = 0;
+    static constexpr std::size_t nowhere = std::size_t(-1);
+    std::size_t m_center = 0; // is not its own neighbour
+    Point_3 m_before = Point_3(0., 0., 0.);
     std::array<double, 3> m_query = {{0., 0., 0.}};
     std::vector<Neighbor> m_found;
 
@@ -87,24 +89,39 @@ public:
     /// The nearest neighbours of point `i`, without itself, nearest first.
     const std::vector<Neighbor>& operator()(std::size_t i)
     {
-      const Point_3& p = m_owner.m_points[i];
+      if (m_center == nowhere)
+        m_found.clear(); // point i may be among them
+      m_center = i;
+      return search(m_owner.m_points[i]);
+    }
+
+    /// The nearest points of any place, nearest first.
+    const std::vector<Neighbor>& operator()(const Point_3& place)
+    {
+      m_center = nowhere;
+      return search(place);
+    }
+
+  private:
+    const std::vector<Neighbor>& search(const Point_3& p)
+    {
       m_bound = m_largest;
       if (m_found.size() == m_k) {
-        // the ball of the previous answer holds k points other than this one: so does, around
-        // this point, a ball larger by the distance of the two
-        const double moved = std::sqrt(squared_distance(p, m_owner.m_points[m_center]));
+        // the ball of the previous answer holds k points other than this one (its own center
+        // instead, if this one was among them): so does, around this point, a ball larger by the
+        // distance of the two
+        const double moved = std::sqrt(squared_distance(p, m_before));
         const double radius = std::sqrt(m_found.back().squared_distance) + moved;
         m_bound = (std::min)(m_bound, radius * radius * (1. + 1e-12) +
                                           (std::numeric_limits<double>::min)()); // rounding
       }
       m_found.clear();
-      m_center = i;
+      m_before = p;
       m_query = {{p.x(), p.y(), p.z()}};
       visit(m_owner.m_tree.root(), {{0., 0., 0.}});
       return m_found;
     }
 
-  private:
     /// \param offset the distance from the query to the box of the node in each coordinate
     void visit(Node node, const std::array<double, 3>& offset)
     {

@@ -28,14 +28,15 @@ template <typename T>
 }
 
 /// The parameters of a run as plain numbers. Documented at `balanced_flow_smooth_point_set()`.
+/// What is not set is chosen from the data, or suits the curvature estimator.
 struct Options {
-  std::optional<unsigned int> k; // chosen from the data if not set
-  double neighbor_radius = 0.;   // 0: no limit
-  unsigned int number_of_iterations = 12;
-  double sharpness_angle = 30.;
-  std::optional<double> feature_threshold; // from the sharpness angle and the data if not set
-  double filter_width = .3;
-  double step_length = .75;
+  std::optional<unsigned int> k;
+  double neighbor_radius = 0.; // 0: no limit
+  std::optional<unsigned int> number_of_iterations;
+  std::optional<double> sharpness_angle;
+  std::optional<double> feature_threshold;
+  std::optional<double> filter_width;
+  std::optional<double> step_length;
   unsigned int update_period = 4; // 0: never
 
   void check() const
@@ -43,12 +44,14 @@ struct Options {
     if (k && *k < 2)
       throw_bad_argument("k", *k, "at least 2 neighbors are needed");
     check_not_negative("neighbor_radius", neighbor_radius);
-    if (!(sharpness_angle > 0. && sharpness_angle <= 180.))
-      throw_bad_argument("sharpness_angle", sharpness_angle, "must be in (0, 180] degrees");
+    if (sharpness_angle && !(*sharpness_angle > 0. && *sharpness_angle <= 180.))
+      throw_bad_argument("sharpness_angle", *sharpness_angle, "must be in (0, 180] degrees");
     if (feature_threshold)
       check_not_negative("feature_threshold", *feature_threshold);
-    check_not_negative("filter_width", filter_width);
-    check_not_negative("step_length", step_length);
+    if (filter_width)
+      check_not_negative("filter_width", *filter_width);
+    if (step_length)
+      check_not_negative("step_length", *step_length);
   }
 
 private:

@@ -33,6 +33,26 @@ void exchange_values(Range& range, Map map, std::vector<Value>& values)
   }
 }
 
+/// Calls functions that exchange values, one after the other. If one throws, those before it are
+/// called once more, which takes back what they did.
+template <typename Exchange>
+void write_all(const Exchange& last)
+{
+  last();
+}
+template <typename Exchange, typename... Rest>
+void write_all(const Exchange& first, const Rest&... rest)
+{
+  first();
+  try {
+    write_all(rest...);
+  }
+  catch (...) {
+    first();
+    throw;
+  }
+}
+
 } // namespace internal
 } // namespace Point_set_flow
 } // namespace CGAL

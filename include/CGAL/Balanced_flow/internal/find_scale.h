@@ -2,7 +2,7 @@
 #ifndef CGAL_BALANCED_FLOW_INTERNAL_FIND_SCALE_H
 #define CGAL_BALANCED_FLOW_INTERNAL_FIND_SCALE_H
 
-#include <CGAL/Balanced_flow/Point_set_scale.h>
+#include <CGAL/Balanced_flow/Curvature_3.h>
 #include <CGAL/Balanced_flow/internal/Covariance_3.h>
 #include <CGAL/Balanced_flow/internal/Neighbor_tree.h>
 #include <CGAL/Balanced_flow/internal/for_each_block.h>
@@ -76,12 +76,18 @@ inline std::vector<std::uint32_t> sample(const std::vector<Point_3>& points)
   return chosen;
 }
 
+/// The noise and the spacing of a point set, and the noise at some of its points.
+struct Sampled_scale {
+  double noise = 0., spacing = 0.;
+  std::vector<Point_3> points;
+  std::vector<double> noises; // at these points
+};
+
 /// Finds the noise and the spacing of a point set.
 template <typename ConcurrencyTag>
-Point_set_scale find_scale(ConcurrencyTag, const Neighbor_tree& tree, Progress& progress,
-                           double work)
+Sampled_scale find_scale(ConcurrencyTag, const Neighbor_tree& tree, Progress& progress, double work)
 {
-  Point_set_scale scale;
+  Sampled_scale scale;
   const std::vector<Point_3>& points = tree.points();
   std::vector<std::size_t> sizes = {12, 24, 48, 96, 192};
   while (!sizes.empty() && sizes.back() >= points.size())
@@ -109,22 +115,36 @@ Point_set_scale find_scale(ConcurrencyTag, const Neighbor_tree& tree, Progress& 
   for_each_block<ConcurrencyTag>(chosen.size(), progress, work, measure, 16);
 
   // One small size can not tell noise from structure once the noise exceeds the spacing: take
-  // the first size whose neighbourhoods are large against the noise found in them.
+  // the first size whose neighbourhoods are large against the noise found in them. First for each
+  // sample by itself ...
+  const double large = 4.;
+  for (std::size_t i = 0; i < chosen.size(); ++i) {
+    std::size_t s = 0;
+    while (s + 1 < sizes.size() && radii[s][i] < large * noises[s][i])
+      ++s;
+    scale.points.push_back(points[chosen[i]]);
+    scale.noises.push_back(noises[s][i]);
+  }
+  // ... then for all of them
   std::size_t s = 0;
   double radius = median(radii[0]);
   scale.noise = median(noises[0]);
-  while (s + 1 < sizes.size() && (radius < 4. * scale.noise || sizes[s] < 48)) {
-    const bool wide_enough = radius >= 4. * scale.noise;
+  while (s + 1 < sizes.size() && (radius < large * scale.noise || sizes[s] < 48)) {
+    const bool wide_enough = radius >= large * scale.noise;
     radius = median(radii[++s]);
     if (!wide_enough)
       scale.noise = median(noises[s]);
   }
   scale.spacing = radius * std::sqrt(CGAL_PI / double(sizes[s]));
-  if (!(scale.spacing > 0.)) // squared distances too small for double
-    return scale;
-  const double size = 28. * std::sqrt(scale.noise / scale.spacing);
-  scale.k = static_cast<unsigned int>(std::round((std::min)((std::max)(size, 16.), 32.)));
   return scale;
+}
+
+/// The number of neighbours for a noise in multiples of the spacing
+inline unsigned int neighborhood_size(const Curvature_defaults& defaults, double noise)
+{
+  const double size = defaults.size_factor * std::pow(noise, defaults.size_exponent);
+  return static_cast<unsigned int>(std::round(
+      (std::min)((std::max)(size, double(defaults.smallest_size)), double(defaults.largest_size))));
 }
 
 } // namespace internal

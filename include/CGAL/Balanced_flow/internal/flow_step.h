@@ -2,10 +2,12 @@
 #ifndef CGAL_BALANCED_FLOW_INTERNAL_FLOW_STEP_H
 #define CGAL_BALANCED_FLOW_INTERNAL_FLOW_STEP_H
 
+#include <CGAL/Balanced_flow/Curvature_3.h>
 #include <CGAL/Balanced_flow/Diffusivity.h>
 #include <CGAL/Balanced_flow/flows.h>
 #include <CGAL/Balanced_flow/internal/Neighbor_graph.h>
 #include <CGAL/Balanced_flow/internal/Point_buffer.h>
+#include <CGAL/Balanced_flow/internal/Surface_state.h>
 
 #include <cmath>
 #include <numeric>
@@ -16,27 +18,6 @@ namespace CGAL {
 namespace Point_set_flow {
 namespace internal {
 
-/// Whether a flow looks at the prefiltered surface: it does unless it says no.
-template <typename Flow, typename = void>
-struct Uses_prefilter : std::true_type {};
-template <typename Flow>
-struct Uses_prefilter<Flow, std::void_t<typename Flow::Uses_prefilter>>
-    : std::bool_constant<Flow::Uses_prefilter::value> {};
-
-/// The surface variation, Eq. (2), of each point of a surface; of the prefiltered one it is
-/// \f$|\kappa_H(G_\sigma \times u)|\f$.
-template <typename ConcurrencyTag, typename Curvature>
-void find_variation(const std::vector<Point_3>& surface, const Neighbor_graph& graph,
-                    double filter_width, const Curvature& curvature, std::vector<double>& variation,
-                    Progress& progress, double work)
-{
-  for_each_block<ConcurrencyTag>(
-      surface.size(), progress, work, [&](std::size_t begin, std::size_t end) {
-        for (std::size_t i = begin; i < end; ++i)
-          variation[i] = curvature.variation(graph.neighborhood(surface, i, filter_width));
-      });
-}
-
 /// One explicit step of a flow: \f$u \leftarrow u + s\,\partial u / \partial t\f$ for all points
 /// at once, so that the result does not depend on the order of the points or on threads.
 /// \param filtered_variation for each point, or null if the flow does not use it
@@ -45,9 +26,10 @@ void find_variation(const std::vector<Point_3>& surface, const Neighbor_graph& g
 /// \return the mean distance that the points moved
 template <typename ConcurrencyTag, typename Flow, typename Curvature>
 double flow_step(const Point_buffer& buffer, const Neighbor_graph& graph, double filter_width,
-                 const Curvature& curvature, const std::vector<double>* filtered_variation,
-                 const Flow& flow, const Diffusivity& g, double step_length, double unit,
-                 std::vector<Point_3>& next, Progress& progress, double work)
+                 const Surface_state& state, const Curvature& curvature,
+                 const std::vector<double>* filtered_variation, const Flow& flow,
+                 const Diffusivity& g, double step_length, double unit, std::vector<Point_3>& next,
+                 Progress& progress, double work)
 {
   const std::vector<Point_3>& points = buffer.points;
   std::vector<double> moved((points.size() + block_size - 1) / block_size);
@@ -58,7 +40,7 @@ double flow_step(const Point_buffer& buffer, const Neighbor_graph& graph, double
       next[i] = points[i];
       if (!buffer.constrained.empty() && buffer.constrained[i])
         continue;
-      const Curvature_3 c = curvature(graph.neighborhood(points, i, filter_width));
+      const Curvature_3 c = curvature(graph.neighborhood(points, i, filter_width, state.at(i)));
       const Flow_point_3 u = {c.normal, c.directional_curvature * unit, c.variation,
                               filtered_variation ? (*filtered_variation)[i] : c.variation,
                               (buffer.reference[i] - points[i]) * unit};

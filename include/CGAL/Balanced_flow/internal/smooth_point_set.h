@@ -2,7 +2,7 @@
 #ifndef CGAL_BALANCED_FLOW_INTERNAL_SMOOTH_POINT_SET_H
 #define CGAL_BALANCED_FLOW_INTERNAL_SMOOTH_POINT_SET_H
 
-#include <CGAL/Balanced_flow/Covariance_curvature.h>
+#include <CGAL/Balanced_flow/Tangent_plane_curvature.h>
 #include <CGAL/Balanced_flow/flows.h>
 #include <CGAL/Balanced_flow/internal/Options.h>
 #include <CGAL/Balanced_flow/internal/Point_buffer.h>
@@ -14,6 +14,7 @@
 #include <CGAL/property_map.h>
 
 #include <cmath>
+#include <cstdint>
 #include <functional>
 #include <limits>
 #include <optional>
@@ -47,17 +48,18 @@ Options read_options(const std::optional<unsigned int>& k, const NamedParameters
   Options options;
   options.k = k;
   options.neighbor_radius = to_double(value_of(np, cgal_np::neighbor_radius, 0.));
-  options.number_of_iterations =
-      to_count("number_of_iterations",
-               value_of(np, cgal_np::number_of_iterations, options.number_of_iterations));
-  options.sharpness_angle =
-      to_double(value_of(np, cgal_np::sharpness_angle, options.sharpness_angle));
+  if constexpr (is_given<NamedParameters, cgal_np::number_of_iterations_t>)
+    options.number_of_iterations = to_count(
+        "number_of_iterations", parameters::get_parameter(np, cgal_np::number_of_iterations));
+  if constexpr (is_given<NamedParameters, cgal_np::sharpness_angle_t>)
+    options.sharpness_angle = to_double(parameters::get_parameter(np, cgal_np::sharpness_angle));
   if constexpr (is_given<NamedParameters, internal_np::feature_threshold_t>)
     options.feature_threshold =
         to_double(parameters::get_parameter(np, internal_np::feature_threshold_t()));
-  options.filter_width =
-      to_double(value_of(np, internal_np::filter_width_t(), options.filter_width));
-  options.step_length = to_double(value_of(np, internal_np::step_length_t(), options.step_length));
+  if constexpr (is_given<NamedParameters, internal_np::filter_width_t>)
+    options.filter_width = to_double(parameters::get_parameter(np, internal_np::filter_width_t()));
+  if constexpr (is_given<NamedParameters, internal_np::step_length_t>)
+    options.step_length = to_double(parameters::get_parameter(np, internal_np::step_length_t()));
   options.update_period = to_count(
       "update_period", value_of(np, internal_np::update_period_t(), options.update_period));
   options.check();
@@ -115,7 +117,7 @@ double smooth_point_set(PointRange& points, const std::optional<unsigned int>& k
 
   const Options options = read_options(k, np);
   const auto flow = value_of(np, internal_np::flow_t(), Balanced_flow());
-  const auto curvature = value_of(np, internal_np::curvature_t(), Covariance_curvature());
+  const auto curvature = value_of(np, internal_np::curvature_t(), Tangent_plane_curvature());
   const std::function<bool(double)> callback =
       value_of(np, CGAL::internal_np::callback, std::function<bool(double)>());
   auto point_map = NP_helper::get_point_map(points, np);
@@ -140,21 +142,25 @@ double smooth_point_set(PointRange& points, const std::optional<unsigned int>& k
 
   try {
     typedef std::decay_t<decltype(flow)> Flow;
-    const ConcurrencyTag tag = ConcurrencyTag();
-    Progress progress(callback, work::total(options, Uses_prefilter<Flow>::value));
+    typedef std::decay_t<decltype(curvature)> Curvature;
+    constexpr bool with_normals = Uses_normals<Curvature>::value;
+    constexpr bool with_strength = is_given<NamedParameters, internal_np::feature_strength_map_t>;
+    const unsigned int steps =
+        options.number_of_iterations.value_or(Defaults_of<Curvature>::get().number_of_iterations);
+    Progress progress(callback, work::total(steps, with_normals, Uses_prefilter<Flow>::value,
+                                            int(normal_map.has_value()) + int(with_strength)));
     progress.advance(0.);
-    Point_buffer buffer(tag, input, start, fixed);
+    Point_buffer buffer(ConcurrencyTag(), input, start, fixed);
     progress.advance(work::order);
     Options scaled = options;
     scaled.neighbor_radius /= frame.unit;
-    const Neighbor_graph graph = make_graph(tag, buffer, scaled, progress);
-    const double moved =
-        run_flow(tag, buffer, graph, scaled, frame.unit, flow, curvature, progress);
+    Flow_run<ConcurrencyTag, Flow, Curvature> run(buffer, flow, curvature, scaled, frame.unit,
+                                                  progress);
+    const double moved = run();
 
     std::vector<Kernel_vector_3> new_normals;
     if (normal_map) {
-      const std::vector<Vector_3> normals =
-          find_normals(tag, buffer, graph, options, curvature, progress);
+      const std::vector<Vector_3> normals = run.find_normals();
       std::size_t i = 0;
       for (auto it = points.begin(); it != points.end(); ++it, ++i) {
         const Kernel_vector_3& given = get(*normal_map, *it);
@@ -164,6 +170,10 @@ double smooth_point_set(PointRange& points, const std::optional<unsigned int>& k
         new_normals.push_back(Kernel_vector_3(FT(n.x()), FT(n.y()), FT(n.z())));
       }
     }
+
+    std::vector<double> strength;
+    if constexpr (with_strength)
+      strength = run.find_feature_strength();
 
     std::vector<Kernel_point_3> new_points;
     std::size_t i = 0;
@@ -180,16 +190,22 @@ double smooth_point_set(PointRange& points, const std::optional<unsigned int>& k
     }
 
     progress.finish();
-    exchange_values(points, point_map, new_points);
-    if (!new_normals.empty()) {
-      try {
+    const auto write_points = [&] { exchange_values(points, point_map, new_points); };
+    const auto write_normals = [&] {
+      if (!new_normals.empty())
         exchange_values(points, *normal_map, new_normals);
+    };
+    const auto write_strength = [&] {
+      if constexpr (with_strength) {
+        const auto map = parameters::get_parameter(np, internal_np::feature_strength_map_t());
+        typedef typename boost::property_traits<std::decay_t<decltype(map)>>::value_type Number;
+        std::vector<Number> values;
+        for (const std::uint32_t site : buffer.site_of)
+          values.push_back(static_cast<Number>(strength[site]));
+        exchange_values(points, map, values);
       }
-      catch (...) {
-        exchange_values(points, point_map, new_points);
-        throw;
-      }
-    }
+    };
+    write_all(write_points, write_normals, write_strength);
     return moved * frame.unit;
   }
   catch (const Cancelled&) {

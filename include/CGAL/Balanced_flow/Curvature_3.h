@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef CGAL_BALANCED_FLOW_CURVATURE_3_H
+#define CGAL_BALANCED_FLOW_CURVATURE_3_H
+
+#include <CGAL/Balanced_flow/Vector_types.h>
+
+namespace CGAL {
+namespace Point_set_flow {
+
+/// \ingroup PkgBalancedFlowRef
+/// The plane through a point that an estimator fits to its neighbourhood.
+struct Tangent_plane_3 {
+  Vector_3 normal;  ///< a unit vector; its side does not matter
+  double variation; ///< without unit, at least 0, 0 where the surface is flat
+};
+
+/// \ingroup PkgBalancedFlowRef
+/// What a curvature estimator says of one point.
+struct Curvature_3 {
+  Vector_3 normal;              ///< a unit vector; its side does not matter
+  double variation;             ///< without unit, at least 0, 0 where the surface is flat
+  double directional_curvature; ///< a length, signed along `normal`
+};
+
+/// \ingroup PkgBalancedFlowRef
+/// The parameters that suit a curvature estimator. It tells them by a static member function
+/// `defaults()`; one that has none gets these, the paper's.
+struct Curvature_defaults {
+  unsigned int number_of_iterations = 12;
+  double filter_width = .3;
+  double step_length = .75;
+  double sharpness_angle = 30.; ///< in degrees
+  /// the number of neighbors is `size_factor` times noise / spacing to the power of
+  /// `size_exponent`, but in the range from `smallest_size` to `largest_size`
+  double size_factor = 28., size_exponent = .5;
+  unsigned int smallest_size = 16, largest_size = 32;
+};
+
+} // namespace Point_set_flow
+} // namespace CGAL
+
+#endif // CGAL_BALANCED_FLOW_CURVATURE_3_H

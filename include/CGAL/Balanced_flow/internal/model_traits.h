@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef CGAL_BALANCED_FLOW_INTERNAL_MODEL_TRAITS_H
+#define CGAL_BALANCED_FLOW_INTERNAL_MODEL_TRAITS_H
+
+#include <CGAL/Balanced_flow/Curvature_3.h>
+
+#include <type_traits>
+
+namespace CGAL {
+namespace Point_set_flow {
+namespace internal {
+
+/// Whether a flow looks at the prefiltered surface: it does unless it says no.
+template <typename Flow, typename = void>
+struct Uses_prefilter : std::true_type {};
+template <typename Flow>
+struct Uses_prefilter<Flow, std::void_t<typename Flow::Uses_prefilter>>
+    : std::bool_constant<Flow::Uses_prefilter::value> {};
+
+/// Whether an estimator looks at the normals of the step before: it does if it says so.
+template <typename Curvature, typename = void>
+struct Uses_normals : std::false_type {};
+template <typename Curvature>
+struct Uses_normals<Curvature, std::void_t<typename Curvature::Uses_normals>>
+    : std::bool_constant<Curvature::Uses_normals::value> {};
+
+/// The parameters that suit an estimator.
+template <typename Curvature, typename = void>
+struct Defaults_of {
+  static Curvature_defaults get() { return Curvature_defaults(); }
+};
+template <typename Curvature>
+struct Defaults_of<Curvature, std::void_t<decltype(Curvature::defaults())>> {
+  static Curvature_defaults get() { return Curvature::defaults(); }
+};
+
+} // namespace internal
+} // namespace Point_set_flow
+} // namespace CGAL
+
+#endif // CGAL_BALANCED_FLOW_INTERNAL_MODEL_TRAITS_H

@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef CGAL_BALANCED_FLOW_INTERNAL_THIN_PARTS_H
+#define CGAL_BALANCED_FLOW_INTERNAL_THIN_PARTS_H
+
+#include <CGAL/Balanced_flow/internal/Angle_weight.h>
+#include <CGAL/Balanced_flow/internal/Neighbor_graph.h>
+#include <CGAL/Balanced_flow/internal/Surface_state.h>
+#include <CGAL/Balanced_flow/internal/find_scale.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <vector>
+
+namespace CGAL {
+namespace Point_set_flow {
+namespace internal {
+
+// Where two sheets of a surface are close to each other, the points of both make one thick layer,
+// and the distance of the sheets passes for noise. But the distances from the middle of such a
+// layer have two peaks, and their kurtosis tells: with the sheets at +-a and the noise s,
+//   variance = a^2 + s^2  and  excess kurtosis = -2 a^4 / (a^2 + s^2)^2.
+
+/// Moments of the distances of a point from the tangent planes of its neighbourhood
+struct Distance_moments {
+  double second = 0., fourth = 0.; // about the mean
+
+  /// \param unit the length of 1, to keep fourth powers in the range of `double`
+  Distance_moments(const Neighborhood_3& neighborhood, double unit)
+  {
+    double sums[5] = {0., 0., 0., 0., 0.};
+    const Angle_weight angle(neighborhood.noise() / neighborhood.spacing(), 0.);
+    const double width = neighborhood.gaussian_width();
+    const double divisor = 2. * width * width + (std::numeric_limits<double>::min)();
+    for (std::size_t j = 0; j < neighborhood.size(); ++j) {
+      const Vector_3 d = neighborhood.center() - neighborhood[j];
+      const double z = d * neighborhood.normal(), other = d * neighborhood.normal(j);
+      const double cosine = neighborhood.normal() * neighborhood.normal(j);
+      const double x = .5 * (z + (cosine < 0. ? -other : other)) / unit;
+      const double weight =
+          std::exp(-(std::max)(d.squared_length() - z * z, 0.) / divisor - angle.exponent(cosine));
+      double power = weight;
+      for (double& sum : sums) {
+        sum += power;
+        power *= x;
+      }
+    }
+    if (!(sums[0] > 0.))
+      return; // no neighbours
+    const double m1 = sums[1] / sums[0], m2 = sums[2] / sums[0], m3 = sums[3] / sums[0];
+    second = (std::max)(m2 - m1 * m1, 0.);
+    fourth = (std::max)(
+        sums[4] / sums[0] - 4. * m1 * m3 + 6. * m1 * m1 * m2 - 3. * m1 * m1 * m1 * m1, 0.);
+  }
+  Distance_moments() = default;
+};
+
+/// Averages over the neighbours: the kurtosis of one neighbourhood alone is mostly chance.
+template <typename ConcurrencyTag>
+void pool(const Neighbor_graph& graph, std::vector<Distance_moments>& moments, Progress& progress,
+          double work)
+{
+  const std::size_t most = 64;
+  std::vector<Distance_moments> pooled(moments.size());
+  const auto average = [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) {
+      const std::size_t size = (std::min)(most, graph.size(i));
+      Distance_moments sum = moments[i];
+      for (std::size_t j = 0; j < size; ++j) {
+        sum.second += moments[graph.neighbors(i)[j]].second;
+        sum.fourth += moments[graph.neighbors(i)[j]].fourth;
+      }
+      pooled[i].second = sum.second / double(size + 1);
+      pooled[i].fourth = sum.fourth / double(size + 1);
+    }
+  };
+  for_each_block<ConcurrencyTag>(moments.size(), progress, work, average);
+  moments.swap(pooled);
+}
+
+/// Finds the noise within the sheets of thin parts, and what neighbourhoods suit them.
+/// \param state with normals and the noise around each point, which becomes smaller on thin parts
+/// \return the number of neighbours that each point should have
+template <typename ConcurrencyTag>
+std::vector<std::uint32_t> find_thin_parts(const std::vector<Point_3>& points,
+                                           const Neighbor_graph& graph, double filter_width,
+                                           const Curvature_defaults& defaults, Surface_state& state,
+                                           Progress& progress, double work)
+{
+  std::vector<std::uint32_t> sizes(points.size(), static_cast<std::uint32_t>(graph.largest_size()));
+  if (!(state.spacing > 0.))
+    return sizes;
+  const double unit = state.spacing;
+  std::vector<Distance_moments> moments(points.size());
+  const auto measure = [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i)
+      moments[i] = Distance_moments(graph.neighborhood(points, i, filter_width, state.at(i)), unit);
+  };
+  for_each_block<ConcurrencyTag>(points.size(), progress, .4 * work, measure);
+  for (int i = 0; i < 3; ++i)
+    pool<ConcurrencyTag>(graph, moments, progress, .2 * work);
+
+  // a flat-topped distribution, or a neighbourhood hardly wider than the noise, has a negative
+  // excess without having two peaks
+  const double chance = .4, certain = .6, few = .4, fewest = 12., clean = .1, noisy = .18;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const double variance = moments[i].second;
+    const double excess = variance > 0. ? moments[i].fourth / (variance * variance) - 3. : 0.;
+    const auto share = [](double x, double low, double high) {
+      return (std::min)((std::max)((x - low) / (high - low), 0.), 1.);
+    };
+    const double between = std::sqrt(share(-excess, chance, 2.));
+    double& noise = state.noise[i];
+    if (between > 0.)
+      noise = (std::min)(noise, unit * std::sqrt(variance * (1. - between)));
+
+    const double ratio = noise / state.spacing;
+    const double size = neighborhood_size(defaults, ratio);
+    const double small = few * defaults.size_factor * std::pow(ratio, defaults.size_exponent);
+    const double suited = size + share(-excess, chance, certain) * (std::min)(small - size, 0.);
+    sizes[i] = static_cast<std::uint32_t>(std::round((std::max)(suited, (std::min)(fewest, size))));
+    // noise of a tenth of the spacing may as well be the shape between the points
+    noise *= share(ratio, clean, noisy);
+  }
+  return sizes;
+}
+
+} // namespace internal
+} // namespace Point_set_flow
+} // namespace CGAL
+
+#endif // CGAL_BALANCED_FLOW_INTERNAL_THIN_PARTS_H
