@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Each flow of the paper, and one of a user, on the same noisy sphere: what is left of the noise,
+// Each flow of the paper, with the paper's estimator, and one of a user, on the same noisy sphere: what is left of the noise,
 // and how much the sphere shrinks.
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/balanced_flow_smooth_point_set.h>
@@ -38,7 +38,8 @@ template <typename Flow>
 void smooth_and_print(const char* name, std::vector<Point_3> points, const Flow& flow)
 {
   CGAL::balanced_flow_smooth_point_set<CGAL::Parallel_if_available_tag>(
-      points, 20, CGAL::parameters::flow(flow).number_of_iterations(40));
+      points, 20,
+      CGAL::parameters::flow(flow).curvature(Covariance_curvature()).number_of_iterations(40));
   print(name, points);
 }
 

@@ -2,6 +2,7 @@
 // Smooths the points of a file and keeps everything else in it.
 #include "Point_set_io.h"
 
+#include <CGAL/Balanced_flow/Covariance_curvature.h>
 #include <CGAL/Balanced_flow/estimate_point_set_scale.h>
 #include <CGAL/Real_timer.h>
 #include <CGAL/balanced_flow_smooth_point_set.h>
@@ -16,6 +17,7 @@
 
 #include <atomic>
 #include <csignal>
+#include <functional>
 #include <optional>
 
 namespace options = boost::program_options;
@@ -54,16 +56,16 @@ public:
 };
 
 struct Settings {
-  std::string input, output, flow;
+  std::string input, output, flow, curvature;
   int k, iterations, update_period, threads; // signed, so that -1 is refused and not 4294967295
   double neighbor_radius, sharpness_angle, feature_threshold, filter_width, step_length;
   bool normals, quiet, with_feature_threshold;
+  bool automatic; // none of the numbers of the flow is given
 };
 
 /// Reads the command line; empty if there is nothing to do after it.
 std::optional<Settings> read_command_line(int argc, char** argv)
 {
-  const flows::internal::Options defaults;
   Settings s;
   options::options_description description(
       "Usage: smooth_point_set input output [options]\n\n"
@@ -74,17 +76,19 @@ std::optional<Settings> read_command_line(int argc, char** argv)
     ("help,h", "print this text")
     ("neighbors,k", options::value(&s.k)->default_value(0), "neighborhood size, 0: chosen from the data")
     ("neighbor-radius", options::value(&s.neighbor_radius)->default_value(0.), "no neighbors beyond it, 0: no limit")
-    ("iterations", options::value(&s.iterations)->default_value(int(defaults.number_of_iterations)), "number of iterations")
-    ("sharpness-angle", options::value(&s.sharpness_angle)->default_value(defaults.sharpness_angle),
-     "creases from this angle on, in degrees, are kept")
+    ("iterations", options::value(&s.iterations), "number of iterations, by default as many as suit the estimator")
+    ("sharpness-angle", options::value(&s.sharpness_angle),
+     "creases from this angle on, in degrees, are features")
     ("feature-threshold", options::value(&s.feature_threshold), "K of the paper instead of the sharpness angle")
-    ("filter-width", options::value(&s.filter_width)->default_value(defaults.filter_width),
-     "sigma of the prefilter, in neighborhood radii")
-    ("step-length", options::value(&s.step_length)->default_value(defaults.step_length), "s of the paper")
-    ("update-period", options::value(&s.update_period)->default_value(int(defaults.update_period)),
+    ("filter-width", options::value(&s.filter_width),
+     "sigma of the Gaussians, in neighborhood radii")
+    ("step-length", options::value(&s.step_length), "s of the paper")
+    ("update-period", options::value(&s.update_period)->default_value(4),
      "L of the paper, 0: the reference is never updated")
     ("flow", options::value(&s.flow)->default_value("balanced"),
      "curvature, anisotropic, well-posed, volume-preserving or balanced")
+    ("curvature", options::value(&s.curvature)->default_value("tangent-plane"),
+     "the estimator: tangent-plane, or covariance, which is the paper's")
     ("normals", options::bool_switch(&s.normals), "write normals even if the input has none")
     ("threads", options::value(&s.threads)->default_value(0), "number of threads, 0: all")
     ("quiet,q", options::bool_switch(&s.quiet), "no progress bar, no summary");
@@ -107,43 +111,69 @@ std::optional<Settings> read_command_line(int argc, char** argv)
   options::notify(given);
   if (s.k < 0 || s.threads < 0)
     throw std::invalid_argument("--neighbors and --threads must not be negative");
+  if (s.curvature != "tangent-plane" && s.curvature != "covariance")
+    throw std::invalid_argument("there is no estimator \"" + s.curvature + "\"");
   s.with_feature_threshold = given.count("feature-threshold") != 0;
+  s.automatic = s.curvature == "tangent-plane" && !s.with_feature_threshold;
+  const flows::Curvature_defaults defaults = s.curvature == "covariance"
+                                                 ? flows::Curvature_defaults()
+                                                 : flows::Tangent_plane_curvature::defaults();
+  const auto fill = [&](const char* name, auto& value, auto otherwise) {
+    if (given.count(name))
+      s.automatic = false;
+    else
+      value = otherwise;
+  };
+  fill("iterations", s.iterations, int(defaults.number_of_iterations));
+  fill("sharpness-angle", s.sharpness_angle, defaults.sharpness_angle);
+  fill("filter-width", s.filter_width, defaults.filter_width);
+  fill("step-length", s.step_length, defaults.step_length);
   return s;
 }
 
-template <typename Concurrency_tag, typename Flow>
-double smooth(Point_set& points, const Settings& s, unsigned int k, const Flow& flow)
+/// All flows as one type, which keeps the program small
+typedef std::function<flows::Vector_3(const flows::Flow_point_3&, const flows::Diffusivity&)> Flow;
+
+Flow find_flow(const std::string& name)
 {
-  const auto own = CGAL::parameters::flow(flow)
-                       .filter_width(s.filter_width)
-                       .step_length(s.step_length)
-                       .update_period(s.update_period);
-  const auto run = [&](const auto& parameters) {
-    return CGAL::balanced_flow_smooth_point_set<Concurrency_tag>(
-        points, k,
-        parameters.number_of_iterations(s.iterations)
-            .sharpness_angle(s.sharpness_angle)
-            .neighbor_radius(s.neighbor_radius)
-            .callback(Progress_bar(!s.quiet && isatty(STDERR_FILENO))));
-  };
-  return s.with_feature_threshold ? run(own.feature_threshold(s.feature_threshold)) : run(own);
+  if (name == "curvature")
+    return flows::Curvature_flow();
+  if (name == "anisotropic")
+    return flows::Anisotropic_flow();
+  if (name == "well-posed")
+    return flows::Well_posed_anisotropic_flow();
+  if (name == "volume-preserving")
+    return flows::Volume_preserving_flow();
+  if (name == "balanced")
+    return flows::Balanced_flow();
+  throw std::invalid_argument("there is no flow \"" + name + "\"");
 }
 
 template <typename Concurrency_tag>
-double smooth(Point_set& points, const Settings& s, unsigned int k)
+double smooth(Point_set& points, const Settings& s)
 {
-  const auto run = [&](const auto& flow) { return smooth<Concurrency_tag>(points, s, k, flow); };
-  if (s.flow == "curvature")
-    return run(flows::Curvature_flow());
-  if (s.flow == "anisotropic")
-    return run(flows::Anisotropic_flow());
-  if (s.flow == "well-posed")
-    return run(flows::Well_posed_anisotropic_flow());
-  if (s.flow == "volume-preserving")
-    return run(flows::Volume_preserving_flow());
-  if (s.flow == "balanced")
-    return run(flows::Balanced_flow());
-  throw std::invalid_argument("there is no flow \"" + s.flow + "\"");
+  const auto call = [&](const auto& parameters) {
+    return s.k != 0 ? CGAL::balanced_flow_smooth_point_set<Concurrency_tag>(
+                          points, static_cast<unsigned int>(s.k), parameters)
+                    : CGAL::balanced_flow_smooth_point_set<Concurrency_tag>(points, parameters);
+  };
+  const Progress_bar progress(!s.quiet && isatty(STDERR_FILENO));
+  const auto own = CGAL::parameters::flow(find_flow(s.flow)).update_period(s.update_period);
+  if (s.automatic)
+    return call(own.neighbor_radius(s.neighbor_radius).callback(progress));
+  const auto by_hand = [&](const auto& parameters) {
+    const auto run = [&](const auto& all) {
+      return call(all.number_of_iterations(s.iterations)
+                      .sharpness_angle(s.sharpness_angle)
+                      .neighbor_radius(s.neighbor_radius)
+                      .callback(progress));
+    };
+    return s.with_feature_threshold ? run(parameters.feature_threshold(s.feature_threshold))
+                                    : run(parameters);
+  };
+  const auto numbers = own.filter_width(s.filter_width).step_length(s.step_length);
+  return s.curvature == "covariance" ? by_hand(numbers.curvature(flows::Covariance_curvature()))
+                                     : by_hand(numbers);
 }
 
 template <typename Concurrency_tag>
@@ -159,8 +189,7 @@ int run(const Settings& s)
   CGAL::Real_timer timer;
   timer.start();
   const flows::Point_set_scale scale = flows::estimate_point_set_scale<Concurrency_tag>(points);
-  const unsigned int k = s.k != 0 ? static_cast<unsigned int>(s.k) : scale.k;
-  const double moved = smooth<Concurrency_tag>(points, s, k);
+  const double moved = smooth<Concurrency_tag>(points, s);
   timer.stop();
   if (interrupted || !write_point_set_file(s.output, file, interrupted)) {
     std::cerr << "\ninterrupted, nothing written" << std::endl;
@@ -174,8 +203,8 @@ int run(const Settings& s)
     std::cout << "points            " << points.size() << "\n"
               << "spacing           " << scale.spacing << "\n"
               << "estimated noise   " << scale.noise << "\n"
-              << "neighbors         " << k << (s.k != 0 ? "" : " (chosen)") << "\n"
-              << "iterations        " << s.iterations << "\n"
+              << "neighbors         " << (s.k != 0 ? std::to_string(s.k) : "chosen for each point")
+              << "\n"
               << "mean movement     " << total / double(points.size())
               << " (last iteration: " << moved << ")\n"
               << "seconds           " << timer.time() << std::endl;

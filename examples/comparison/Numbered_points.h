@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef BALANCED_FLOW_COMPARISON_NUMBERED_POINTS_H
+#define BALANCED_FLOW_COMPARISON_NUMBERED_POINTS_H
+
+#include "Surface.h"
+
+#include <CGAL/mst_orient_normals.h>
+#include <CGAL/pca_estimate_normals.h>
+#include <CGAL/property_map.h>
+
+#include <tuple>
+
+/// Points with normals, which find back to their place when CGAL reorders them
+typedef std::tuple<Point_3, Vector_3, std::size_t> Numbered_point;
+typedef std::vector<Numbered_point> Numbered_points;
+
+/// The property maps of numbered points, as named parameters
+inline auto numbered_point_maps()
+{
+  return CGAL::parameters::point_map(CGAL::Nth_of_tuple_property_map<0, Numbered_point>())
+      .normal_map(CGAL::Nth_of_tuple_property_map<1, Numbered_point>());
+}
+
+/// PCA normals, on consistent sides if wanted. Orienting reorders the points, so they carry their
+/// numbers.
+template <typename Concurrency_tag>
+Numbered_points with_normals(const Points& points, bool orient, unsigned int k = 18)
+{
+  Numbered_points result;
+  for (const Point_3& p : points)
+    result.emplace_back(p, CGAL::NULL_VECTOR, result.size());
+  CGAL::pca_estimate_normals<Concurrency_tag>(result, k, numbered_point_maps());
+  if (orient)
+    CGAL::mst_orient_normals(result, k, numbered_point_maps());
+  return result;
+}
+
+/// The normals in the order of the points that were given
+inline Vectors normals_in_order(const Numbered_points& points)
+{
+  Vectors normals(points.size());
+  for (const Numbered_point& p : points)
+    normals[std::get<2>(p)] = std::get<1>(p);
+  return normals;
+}
+
+#endif // BALANCED_FLOW_COMPARISON_NUMBERED_POINTS_H
