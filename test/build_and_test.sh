@@ -8,8 +8,8 @@ sh cmake/install_packages.sh g++ clang make cmake binutils libcgal-dev libcgal-d
   libboost-test-dev libboost-program-options-dev
 
 cmake --preset debug-clang-no-tbb -D BALANCED_FLOW_BUILD_EXAMPLES=OFF
-cmake --build build/debug-clang-no-tbb --parallel 2 --target test_stages test_estimators test_flows test_smooth_point_set test_safety
-ctest --test-dir build/debug-clang-no-tbb --output-on-failure -R '^test_'
+cmake --build build/debug-clang-no-tbb --parallel 2 --target core_tests
+ctest --test-dir build/debug-clang-no-tbb --output-on-failure -L core
 
 cmake --preset release -D BALANCED_FLOW_BUILD_TESTS=ON -D BALANCED_FLOW_BUILD_BENCHMARKS=ON
 cmake --build build/release --parallel 2

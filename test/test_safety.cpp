@@ -99,6 +99,44 @@ BOOST_AUTO_TEST_CASE(small_and_degenerate_inputs)
   check_finite(line);
 }
 
+BOOST_AUTO_TEST_CASE(a_point_alone_keeps_its_normal)
+{
+  typedef std::pair<shapes::Point_3, shapes::Vector_3> Pair;
+  std::vector<Pair> pairs;
+  for (const auto& p : noisy_cube(6))
+    pairs.emplace_back(p, CGAL::NULL_VECTOR);
+  pairs.emplace_back(shapes::Point_3(50, 0, 0), shapes::Vector_3(3, 0, 0));
+  CGAL::balanced_flow_smooth_point_set<Sequential>(
+      pairs, 20,
+      np::neighbor_radius(1.)
+          .point_map(CGAL::First_of_pair_property_map<Pair>())
+          .normal_map(CGAL::Second_of_pair_property_map<Pair>()));
+  BOOST_TEST((pairs.back() == Pair(shapes::Point_3(50, 0, 0), shapes::Vector_3(1, 0, 0))));
+}
+
+BOOST_AUTO_TEST_CASE(constrained_points_stay)
+{
+  const Points noisy = noisy_cube();
+  std::vector<std::size_t> indices(noisy.size());
+  std::iota(indices.begin(), indices.end(), std::size_t(0));
+  Points points = noisy;
+  std::vector<char> fixed(noisy.size());
+  for (std::size_t i = 0; i < noisy.size(); i += 3)
+    fixed[i] = 1;
+  CGAL::balanced_flow_smooth_point_set<Sequential>(
+      indices, 20,
+      np::point_map(CGAL::make_property_map(points))
+          .point_is_constrained_map(CGAL::make_property_map(fixed)));
+  std::size_t moved = 0;
+  for (std::size_t i = 0; i < noisy.size(); ++i) {
+    if (fixed[i])
+      BOOST_REQUIRE((points[i] == noisy[i]));
+    else if (points[i] != noisy[i])
+      ++moved;
+  }
+  BOOST_TEST(moved > noisy.size() / 2);
+}
+
 BOOST_AUTO_TEST_CASE(a_point_far_away_does_not_disturb_the_others)
 {
   // sentinels of scanners are finite
