@@ -23,7 +23,7 @@ std::vector<double> local_noise(ConcurrencyTag tag, const std::vector<Point_3>& 
     return noise;
   const Neighbor_tree tree(tag, scale.points);
 
-  // the median over 1/20 of the samples: one alone may lie on a crease
+  // the median over 1/50 of the samples: one alone may lie on a crease
   std::vector<double> at_samples(scale.points.size()), near;
   Neighbor_tree::Query query(tree, scale.points.size() / 50 + 1);
   for (std::size_t i = 0; i < scale.points.size(); ++i) {
