@@ -15,7 +15,7 @@ int main()
   std::vector<Point_3> points;
   for (int i = 0; i < 10; ++i)
     for (int j = 0; j < 10; ++j)
-      points.emplace_back(i, j, (i * j) % 3 * .1);
+      points.emplace_back(i, j, (i * j) % 3 * .5);
   std::vector<Point_3> copy = points;
   const double here =
       CGAL::balanced_flow_smooth_point_set<CGAL::Parallel_if_available_tag>(points, 12);
