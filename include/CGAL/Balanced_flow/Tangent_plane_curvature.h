@@ -6,10 +6,10 @@
 #include <CGAL/Balanced_flow/Neighborhood_3.h>
 #include <CGAL/Balanced_flow/internal/Angle_weight.h>
 #include <CGAL/Balanced_flow/internal/Covariance_3.h>
+#include <CGAL/Balanced_flow/internal/Two_by_two.h>
 #include <CGAL/tags.h>
 
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
 #include <limits>
 
@@ -55,81 +55,51 @@ public:
   /// Eq. (1) with weights. The variation, Eq. (2), is what the noise does not explain.
   Tangent_plane_3 tangent_plane(const Neighborhood_3& neighborhood) const
   {
-    const Weights weigh(neighborhood);
-    const double residual = 1. / (8. * weigh.residual * weigh.residual + tiny());
-    const bool first = !neighborhood.has_normals();
-    const Vector_3 normal = first ? Vector_3(0., 0., 0.) : neighborhood.normal();
-
-    internal::Covariance_3 moments; // about the point, which the noise keeps near the centroid
-    Vector_3 mean(0., 0., 0.);
-    double sum = 1.; // of the point itself
-    for (std::size_t j = 0; j < neighborhood.size(); ++j) {
-      const Vector_3 d = neighborhood[j] - neighborhood.center();
-      double exponent = d.squared_length() * weigh.distance;
-      if (!first) {
-        const double z = d * normal;
-        exponent += z * z * residual + weigh.angle.exponent(normal * neighborhood.normal(j));
-      }
-      const double weight = std::exp(-exponent);
-      moments.add(d, weight);
-      mean = mean + weight * d;
-      sum += weight;
-    }
-    // neighbours that together weigh less than one tell no plane, and their tiny weights would
-    // make the result depend on rounding
-    if (!(sum > 1. + fewest) && !first)
-      return {normal, 0.};
-
-    mean = mean / sum;
-    moments.add(mean, -sum);
-    const internal::Smallest_eigenpair_3 pair = internal::smallest_eigenpair(moments);
-    const double trace = moments.trace(), noise = weigh.residual / residual_width;
-    // twice the deviation of the noise is still noise: features must stand out
-    const double explained = trace > 0. ? 4. * noise * noise * sum / trace : 0.;
-    return {pair.vector, (std::max)(0., pair.variation - explained)};
+    return neighborhood.has_normals() ? tangent_plane<true>(neighborhood)
+                                      : tangent_plane<false>(neighborhood);
   }
 
   /// \pre `neighborhood.has_normals()`
   Curvature_3 operator()(const Neighborhood_3& neighborhood) const
   {
+    if (neighborhood.size() < 2)
+      return {neighborhood.normal(), 0., 0.};
     const Weights weigh(neighborhood);
     const double residual = 1. / (2. * weigh.residual * weigh.residual + tiny());
-    const Vector_3& normal = neighborhood.normal();
+    const internal::Two_by_two two(neighborhood);
 
-    double sum = 0., distances = 0., sum_of_all = 0., distances_of_all = 0.;
-    for (std::size_t j = 0; j < neighborhood.size(); ++j) {
-      const Vector_3 d = neighborhood.center() - neighborhood[j];
-      const double cosine = normal * neighborhood.normal(j);
-      const double z = d * normal, other = d * neighborhood.normal(j);
-      const double distance = .5 * (z + (cosine < 0. ? -other : other));
-      const double near = d.squared_length() * weigh.distance;
-      const double weight = std::exp(-near - weigh.angle.exponent(cosine));
-      const double trusted = weight * std::exp(-distance * distance * residual);
-      sum += trusted;
-      distances += trusted * distance;
-      sum_of_all += weight;
-      distances_of_all += weight * distance;
+    Lanes sum(0., 0.), distances = sum;
+    for (std::size_t j = 0; j < neighborhood.size(); j += 2) {
+      const Lanes_3 d = two.differences(j), normals = two.normals(j);
+      const Lanes z = d * two.normal, cosine = normals * two.normal;
+      const Lanes distance = -two.mean_height(z, d * normals, cosine);
+      // a point too far off for all its neighbours still comes nearer, but not at once
+      const Lanes far = (distance * distance * residual).min(farthest);
+      const Lanes weight = internal::bell(weigh.near(d.squared_length(), z * z) +
+                                          weigh.angle.exponent(cosine) + far);
+      sum += weight;
+      distances += weight * distance;
     }
-    // a point too far off for all its neighbours still comes nearer, but not at once
-    sum += few * sum_of_all;
-    distances += few * distances_of_all;
-    const double mean = distances / (sum + few); // and without any neighbours it stays
-    return {normal, 0., (std::min)((std::max)(mean, -weigh.residual), weigh.residual)};
+    const double mean = distances.sum() / (sum.sum() - two.pads() + few);
+    return {two.normal, 0., (std::min)((std::max)(mean, -weigh.residual), weigh.residual)};
   }
 
 private:
+  typedef internal::Lanes Lanes;
+  typedef internal::Lanes_3 Lanes_3;
+
   // in multiples of the noise
-  static constexpr double residual_width = 1.8;
+  static constexpr double residual_width = 1.8, slab_width = 1.5;
   // weights of neighbours, each of which weighs 1 at most
   static constexpr double fewest = .5, few = .001;
-  // the residual width of the last step in multiples of that of the first
-  static constexpr double last_residual = .237;
+  // the exponent of what is too far off to count
+  static constexpr double farthest = 7.;
 
   static constexpr double tiny() { return (std::numeric_limits<double>::min)(); }
 
   /// The scales of the weights at one point at one time
   struct Weights {
-    double distance, residual;
+    double distance, residual, slab;
     internal::Angle_weight angle;
 
     explicit Weights(const Neighborhood_3& neighborhood)
@@ -138,9 +108,60 @@ private:
     {
       const double width = neighborhood.gaussian_width(), noise = neighborhood.noise();
       distance = 1. / (2. * width * width + tiny());
-      residual = residual_width * noise * std::pow(last_residual, neighborhood.time());
+      residual = residual_width * noise * internal::annealing(neighborhood.time(), 2);
+      slab = slab_width * slab_width * noise * noise;
+    }
+
+    /// The exponent of the distance, but not of the part of it that is noise
+    Lanes near(const Lanes& squared_length, const Lanes& squared_height) const
+    {
+      return (squared_length - squared_height.min(slab)) * distance;
     }
   };
+
+  template <bool has_normals>
+  static Tangent_plane_3 tangent_plane(const Neighborhood_3& neighborhood)
+  {
+    const Weights weigh(neighborhood);
+    const double residual = 1. / (8. * weigh.residual * weigh.residual + tiny());
+    const internal::Two_by_two two(neighborhood);
+
+    // moments about the point, which the noise keeps near the centroid
+    const Lanes zero(0., 0.);
+    Lanes sum = zero, x = zero, y = zero, z = zero;
+    Lanes xx = zero, xy = zero, xz = zero, yy = zero, yz = zero, zz = zero;
+    for (std::size_t j = 0; j < neighborhood.size(); j += 2) {
+      const Lanes_3 d = two.differences(j);
+      Lanes exponent;
+      if constexpr (has_normals) {
+        const Lanes height = d * two.normal, squared = height * height;
+        exponent = weigh.near(d.squared_length(), squared) + squared * residual +
+                   weigh.angle.exponent(two.normals(j) * two.normal);
+      }
+      else
+        exponent = d.squared_length() * weigh.distance;
+      const Lanes weight = internal::bell(exponent);
+      const Lanes wx = weight * d.x, wy = weight * d.y, wz = weight * d.z;
+      sum += weight, x += wx, y += wy, z += wz;
+      xx += wx * d.x, xy += wx * d.y, xz += wx * d.z;
+      yy += wy * d.y, yz += wy * d.z, zz += wz * d.z;
+    }
+    const double total = sum.sum() + 1. - two.pads(); // the point itself
+    // neighbours that together weigh less than one tell no plane, and their tiny weights would
+    // make the result depend on rounding
+    if (has_normals && !(total > 1. + fewest))
+      return {two.normal, 0.};
+
+    internal::Covariance_3 moments;
+    moments.xx = xx.sum(), moments.xy = xy.sum(), moments.xz = xz.sum();
+    moments.yy = yy.sum(), moments.yz = yz.sum(), moments.zz = zz.sum();
+    moments.add(Vector_3(x.sum(), y.sum(), z.sum()) / total, -total);
+    const internal::Smallest_eigenpair_3 pair = internal::smallest_eigenpair(moments);
+    const double trace = moments.trace(), noise = weigh.residual / residual_width;
+    // twice the deviation of the noise is still noise: features must stand out
+    const double explained = trace > 0. ? 4. * noise * noise * total / trace : 0.;
+    return {pair.vector, (std::max)(0., pair.variation - explained)};
+  }
 };
 
 } // namespace Point_set_flow

@@ -2,7 +2,7 @@
 #ifndef CGAL_BALANCED_FLOW_INTERNAL_ANGLE_WEIGHT_H
 #define CGAL_BALANCED_FLOW_INTERNAL_ANGLE_WEIGHT_H
 
-#include <CGAL/number_type_config.h>
+#include <CGAL/Balanced_flow/internal/Lanes.h>
 
 #include <algorithm>
 #include <cmath>
@@ -10,6 +10,13 @@
 namespace CGAL {
 namespace Point_set_flow {
 namespace internal {
+
+/// How much is left at a time of the flow, 0 to 1, of a width that becomes narrower.
+inline double annealing(double time, int power)
+{
+  const double left = 1. - .513 * time;
+  return power == 2 ? left * left : left * left * left;
+}
 
 /// The weight of a neighbour by the angle between its normal and the own one: in the first step
 /// wide enough for what the noise does to normals, in the last as narrow as features need it.
@@ -21,16 +28,17 @@ public:
   /// \param time 0 in the first step of the flow, 1 in the last
   Angle_weight(double noise, double time)
   {
-    const double first = (std::min)(80. * std::sqrt(noise), 120.), last = 10.; // degrees
-    const double degrees = first > last ? first * std::pow(last / first, time) : last;
-    m_inverse = 1. / (1. - std::cos(degrees * CGAL_PI / 180.));
+    // sines of half of the angles: up to 120 degrees at first, 10 in the end
+    const double first = (std::min)(.64 * std::sqrt(noise), .866), last = .0872;
+    const double sine = (std::max)(first * annealing(time, 3), last);
+    m_inverse = 1. / (2. * sine * sine); // 1 - cos
   }
 
-  /// \param cosine the product of the two normals, whose sides do not matter
+  /// \param cosine the products of the two normals, whose sides do not matter
   /// \return the weight is exp(-exponent)
-  double exponent(double cosine) const
+  Lanes exponent(const Lanes& cosine) const
   {
-    const double x = (1. - std::abs(cosine)) * m_inverse;
+    const Lanes x = (1. - cosine.abs()) * m_inverse;
     return x * x;
   }
 };

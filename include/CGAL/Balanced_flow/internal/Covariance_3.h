@@ -49,14 +49,11 @@ struct Smallest_eigenpair_3 {
   double variation;
 };
 
-/// Cyclic Jacobi rotations: short, free of special cases where eigenvalues meet, and accurate for
-/// the smallest eigenvalue, where closed formulas lose half of the digits.
-inline Smallest_eigenpair_3 smallest_eigenpair(const Covariance_3& c)
+/// Cyclic Jacobi rotations: slow, but accurate in any case, also where eigenvalues meet.
+/// \pre the trace is positive
+inline Smallest_eigenpair_3 smallest_eigenpair_by_rotations(const Covariance_3& c)
 {
   const double trace = c.trace();
-  if (!(trace > (std::numeric_limits<double>::min)()))
-    return {Vector_3(0., 0., 1.), 0.}; // all points in one place
-
   double a[3][3] = {{c.xx, c.xy, c.xz}, {c.xy, c.yy, c.yz}, {c.xz, c.yz, c.zz}};
   double v[3][3] = {{1., 0., 0.}, {0., 1., 0.}, {0., 0., 1.}}; // rows are the eigenvectors
   const double negligible = trace * (std::numeric_limits<double>::epsilon)() * .01;
@@ -69,7 +66,8 @@ inline Smallest_eigenpair_3 smallest_eigenpair(const Covariance_3& c)
         if (a[p][q] == 0.)
           continue;
         const double theta = (a[q][q] - a[p][p]) / (2. * a[p][q]);
-        const double t = std::copysign(1., theta) / (std::abs(theta) + std::hypot(theta, 1.));
+        const double t =
+            std::copysign(1., theta) / (std::abs(theta) + std::sqrt(theta * theta + 1.));
         const double cosine = 1. / std::sqrt(t * t + 1.), sine = t * cosine;
         const int r = 3 - p - q;
         const double apr = a[p][r], aqr = a[q][r];
@@ -89,6 +87,51 @@ inline Smallest_eigenpair_3 smallest_eigenpair(const Covariance_3& c)
       a[0][0] <= a[1][1] ? (a[0][0] <= a[2][2] ? 0 : 2) : (a[1][1] <= a[2][2] ? 1 : 2);
   const Vector_3 vector(v[least][0], v[least][1], v[least][2]);
   return {vector / std::sqrt(vector.squared_length()), (std::max)(a[least][least], 0.) / trace};
+}
+
+/// The smallest root of the characteristic polynomial by Newton's method, which rises to it from 0,
+/// and the vector that the other two eigenvectors leave. Where that does not come out well, because
+/// eigenvalues meet, by rotations.
+inline Smallest_eigenpair_3 smallest_eigenpair(const Covariance_3& c)
+{
+  const double trace = c.trace();
+  if (!(trace > (std::numeric_limits<double>::min)()))
+    return {Vector_3(0., 0., 1.), 0.}; // all points in one place
+  const double scale = 1. / trace;
+  const double xx = c.xx * scale, xy = c.xy * scale, xz = c.xz * scale;
+  const double yy = c.yy * scale, yz = c.yz * scale, zz = c.zz * scale;
+
+  const double minors = xx * yy - xy * xy + xx * zz - xz * xz + yy * zz - yz * yz;
+  const double det = xx * (yy * zz - yz * yz) - xy * (xy * zz - yz * xz) + xz * (xy * yz - yy * xz);
+  double root = 0.;
+  for (int i = 0; i < 8; ++i) {
+    const double value = ((root - 1.) * root + minors) * root - det;
+    const double slope = (3. * root - 2.) * root + minors;
+    const double step = value / slope;
+    root -= step;
+    if (!(std::abs(step) > 1e-12))
+      break;
+  }
+
+  const Vector_3 rows[3] = {Vector_3(xx - root, xy, xz), Vector_3(xy, yy - root, yz),
+                            Vector_3(xz, yz, zz - root)};
+  Vector_3 vector(0., 0., 0.);
+  double length = 0.;
+  for (int i = 0; i < 3; ++i) {
+    const Vector_3 v = cross_product(rows[i], rows[(i + 1) % 3]);
+    if (v.squared_length() > length) {
+      vector = v;
+      length = v.squared_length();
+    }
+  }
+  vector = vector / std::sqrt(length);
+  const Vector_3 image(xx * vector.x() + xy * vector.y() + xz * vector.z(),
+                       xy * vector.x() + yy * vector.y() + yz * vector.z(),
+                       xz * vector.x() + yz * vector.y() + zz * vector.z());
+  const double variation = image * vector; // the Rayleigh quotient: twice as many digits
+  if (!((image - variation * vector).squared_length() < 1e-24)) // or not a number
+    return smallest_eigenpair_by_rotations(c);
+  return {vector, (std::max)(variation, 0.)};
 }
 
 } // namespace internal

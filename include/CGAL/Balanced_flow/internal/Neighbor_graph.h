@@ -3,7 +3,7 @@
 #define CGAL_BALANCED_FLOW_INTERNAL_NEIGHBOR_GRAPH_H
 
 #include <CGAL/Balanced_flow/Neighborhood_3.h>
-#include <CGAL/Balanced_flow/internal/Neighbor_tree.h>
+#include <CGAL/Balanced_flow/internal/Group_search.h>
 #include <CGAL/Balanced_flow/internal/for_each_block.h>
 
 #include <algorithm>
@@ -39,15 +39,16 @@ public:
       return;
 
     for_each_block<ConcurrencyTag>(n, progress, work, [&](std::size_t begin, std::size_t end) {
-      Neighbor_tree::Query query(tree, m_stride, radius);
-      for (std::size_t i = begin; i < end; ++i) {
-        const std::vector<Neighbor_tree::Neighbor>& found = query(i);
-        for (std::size_t j = 0; j < found.size(); ++j)
-          m_neighbors[i * m_stride + j] = found[j].index;
-        m_radii[i] = found.empty() ? 0. : std::sqrt(found.back().squared_distance);
-        if (!m_sizes.empty())
-          m_sizes[i] = static_cast<std::uint32_t>(found.size());
-      }
+      typedef boost::counting_iterator<std::size_t> Site;
+      Group_search search(tree, m_stride, radius);
+      search(Site(begin), Site(end),
+             [&](std::size_t i, const std::vector<std::uint32_t>& found, double farthest) {
+               std::copy(found.begin(), found.end(),
+                         m_neighbors.begin() + std::ptrdiff_t(i * m_stride));
+               m_radii[i] = farthest;
+               if (!m_sizes.empty())
+                 m_sizes[i] = static_cast<std::uint32_t>(found.size());
+             });
     });
   }
 

@@ -35,6 +35,34 @@ class Neighbor_tree {
   const std::vector<Point_3>& m_points;
   Tree m_tree;
 
+  typedef Tree::Node_const_handle Node;
+  typedef Tree::Leaf_node_const_handle Leaf;
+  typedef Tree::Internal_node_const_handle Internal;
+
+  /// \param offset the distance from the box to that of the node in each coordinate
+  template <typename Visit>
+  static void visit_leaves(Node node, const std::array<double, 3>& low,
+                           const std::array<double, 3>& high, const std::array<double, 3>& offset,
+                           double squared_distance, const Visit& visit)
+  {
+    if (node->is_leaf()) {
+      const Leaf leaf = static_cast<Leaf>(node);
+      visit(&*leaf->begin(), &*leaf->begin() + leaf->size());
+      return;
+    }
+    const Internal inner = static_cast<Internal>(node);
+    const std::size_t d = std::size_t(inner->cutting_dimension());
+    const auto visit_child = [&](Node child, double beyond) {
+      std::array<double, 3> far = offset;
+      far[d] = (std::max)(far[d], beyond);
+      // rounding must not make a box farther than the points in it: in the order of the distances
+      if (far[0] * far[0] + far[1] * far[1] + far[2] * far[2] <= squared_distance)
+        visit_leaves(child, low, high, far, squared_distance, visit);
+    };
+    visit_child(inner->lower(), low[d] - inner->lower_high_value());
+    visit_child(inner->upper(), inner->upper_low_value() - high[d]);
+  }
+
 public:
   struct Neighbor {
     double squared_distance;
@@ -61,12 +89,18 @@ public:
 
   const std::vector<Point_3>& points() const { return m_points; }
 
+  /// Calls `visit(begin, end)` for the indices in each leaf that may have points within a distance of
+  /// a box, always in the same order.
+  template <typename Visit>
+  void visit_leaves(const std::array<double, 3>& low, const std::array<double, 3>& high,
+                    double squared_distance, const Visit& visit) const
+  {
+    if (!m_points.empty())
+      visit_leaves(m_tree.root(), low, high, {{0., 0., 0.}}, squared_distance, visit);
+  }
+
   /// One thread's search for the `k` nearest neighbours of points of the array.
   class Query {
-    typedef Tree::Node_const_handle Node;
-    typedef Tree::Leaf_node_const_handle Leaf;
-    typedef Tree::Internal_node_const_handle Internal;
-
     const Neighbor_tree& m_owner;
     std::size_t m_k;
     double m_largest; // no neighbour is farther than this squared distance

@@ -3,6 +3,7 @@
 #define CGAL_BALANCED_FLOW_INTERNAL_THIN_PARTS_H
 
 #include <CGAL/Balanced_flow/internal/Angle_weight.h>
+#include <CGAL/Balanced_flow/internal/Two_by_two.h>
 #include <CGAL/Balanced_flow/internal/Neighbor_graph.h>
 #include <CGAL/Balanced_flow/internal/Surface_state.h>
 #include <CGAL/Balanced_flow/internal/find_scale.h>
@@ -30,23 +31,26 @@ struct Distance_moments {
   /// \param unit the length of 1, to keep fourth powers in the range of `double`
   Distance_moments(const Neighborhood_3& neighborhood, double unit)
   {
-    double sums[5] = {0., 0., 0., 0., 0.};
     const Angle_weight angle(neighborhood.noise() / neighborhood.spacing(), 0.);
     const double width = neighborhood.gaussian_width();
-    const double divisor = 2. * width * width + (std::numeric_limits<double>::min)();
-    for (std::size_t j = 0; j < neighborhood.size(); ++j) {
-      const Vector_3 d = neighborhood.center() - neighborhood[j];
-      const double z = d * neighborhood.normal(), other = d * neighborhood.normal(j);
-      const double cosine = neighborhood.normal() * neighborhood.normal(j);
-      const double x = .5 * (z + (cosine < 0. ? -other : other)) / unit;
-      const double weight =
-          std::exp(-(std::max)(d.squared_length() - z * z, 0.) / divisor - angle.exponent(cosine));
-      double power = weight;
-      for (double& sum : sums) {
+    const double near = 1. / (2. * width * width + (std::numeric_limits<double>::min)());
+    const Two_by_two two(neighborhood);
+    Lanes in_two[5] = {Lanes(0., 0.), Lanes(0., 0.), Lanes(0., 0.), Lanes(0., 0.), Lanes(0., 0.)};
+    for (std::size_t j = 0; j < neighborhood.size(); j += 2) {
+      const Lanes_3 d = two.differences(j), normals = two.normals(j);
+      const Lanes z = d * two.normal, cosine = normals * two.normal;
+      const Lanes x = two.mean_height(z, d * normals, cosine) / unit;
+      const Lanes tangential = (d.squared_length() - z * z).max(0.);
+      Lanes power = bell(tangential * near + angle.exponent(cosine));
+      for (Lanes& sum : in_two) {
         sum += power;
         power *= x;
       }
     }
+    double sums[5];
+    for (int i = 0; i < 5; ++i)
+      sums[i] = in_two[i].sum();
+    sums[0] -= two.pads();
     if (!(sums[0] > 0.))
       return; // no neighbours
     const double m1 = sums[1] / sums[0], m2 = sums[2] / sums[0], m3 = sums[3] / sums[0];
@@ -96,7 +100,9 @@ std::vector<std::uint32_t> find_thin_parts(const std::vector<Point_3>& points,
   std::vector<Distance_moments> moments(points.size());
   const auto measure = [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i)
-      moments[i] = Distance_moments(graph.neighborhood(points, i, filter_width, state.at(i)), unit);
+      if (graph.size(i) >= 2)
+        moments[i] =
+            Distance_moments(graph.neighborhood(points, i, filter_width, state.at(i)), unit);
   };
   for_each_block<ConcurrencyTag>(points.size(), progress, .4 * work, measure);
   for (int i = 0; i < 3; ++i)

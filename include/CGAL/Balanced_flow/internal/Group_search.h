@@ -1,0 +1,223 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef CGAL_BALANCED_FLOW_INTERNAL_GROUP_SEARCH_H
+#define CGAL_BALANCED_FLOW_INTERNAL_GROUP_SEARCH_H
+
+#include <CGAL/Balanced_flow/internal/Neighbor_tree.h>
+
+#include <Eigen/Core>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <vector>
+
+namespace CGAL {
+namespace Point_set_flow {
+namespace internal {
+
+/// One thread's search for the `k` nearest neighbours of many points that follow each other in space.
+///
+/// A few of them at a time have nearly the same neighbours: what is near to their box is collected
+/// once, side by side in memory, and the nearest of each point are chosen from that.
+class Group_search {
+  static constexpr std::size_t group_size = 8;
+
+  const Neighbor_tree& m_tree;
+  const std::size_t m_k;
+  const double m_largest; // no neighbour is farther than this
+  double m_radius = -1.;  // of the neighbourhood before; unknown at first
+
+  // what is within m_reach of the box of the group, in the order of the tree
+  double m_reach = 0.;
+  std::array<double, 3> m_low, m_high;
+  std::size_t m_count = 0;
+  Eigen::ArrayXd m_x, m_y, m_z, m_squared_distance;
+  std::vector<std::uint32_t> m_site;
+
+  // those of them that are near enough to be sure of them
+  std::size_t m_within = 0;
+  double m_squared_limit = 0.;
+  std::vector<Neighbor_tree::Neighbor> m_near, m_sorted;
+  std::vector<std::uint32_t> m_found;
+
+public:
+  /// \param radius the distance beyond which there are no neighbours, 0 for no limit
+  Group_search(const Neighbor_tree& tree, std::size_t k, double radius)
+      : m_tree(tree), m_k(k),
+        m_largest(radius > 0. ? radius : (std::numeric_limits<double>::infinity)())
+  {
+    make_room(256);
+  }
+
+  /// Calls `visit(i, neighbors, radius)` for each point `i` of `[first, last)`: its nearest
+  /// neighbours without itself, in an order that depends on the tree only, and the distance of the
+  /// farthest.
+  template <typename Iterator, typename Visit>
+  void operator()(Iterator first, Iterator last, const Visit& visit)
+  {
+    const std::vector<Point_3>& points = m_tree.points();
+    while (first != last) {
+      if (m_radius < 0.)
+        m_radius = first_radius(*first);
+      // a group ends where the next point is not near: its box is to be small
+      Iterator end = first;
+      m_low = m_high = coordinates(points[*first]);
+      for (std::size_t n = 0; n < group_size && end != last; ++n, ++end)
+        if (!grow_box(coordinates(points[*end])))
+          break;
+      collect(1.1 * m_radius);
+      double largest = 0.;
+      for (; first != end; ++first) {
+        choose(*first);
+        visit(*first, m_found, m_radius);
+        largest = (std::max)(largest, m_radius);
+      }
+      m_radius = largest;
+    }
+  }
+
+private:
+  static std::array<double, 3> coordinates(const Point_3& p) { return {{p.x(), p.y(), p.z()}}; }
+
+  double first_radius(std::size_t i) const
+  {
+    Neighbor_tree::Query query(m_tree, m_k);
+    const std::vector<Neighbor_tree::Neighbor>& found = query(i);
+    return found.empty() ? 0. : std::sqrt(found.back().squared_distance);
+  }
+
+  bool grow_box(const std::array<double, 3>& p)
+  {
+    std::array<double, 3> low = m_low, high = m_high;
+    for (int d = 0; d < 3; ++d) {
+      low[d] = (std::min)(low[d], p[d]);
+      high[d] = (std::max)(high[d], p[d]);
+      if (high[d] - low[d] > 2. * m_radius)
+        return false;
+    }
+    m_low = low;
+    m_high = high;
+    return true;
+  }
+
+  void make_room(std::size_t size)
+  {
+    m_x.conservativeResize(Eigen::Index(size));
+    m_y.conservativeResize(Eigen::Index(size));
+    m_z.conservativeResize(Eigen::Index(size));
+    m_squared_distance.resize(Eigen::Index(size));
+    m_site.resize(size);
+    m_near.resize(size + 1);
+  }
+
+  /// Collects all points within a distance from the box.
+  void collect(double reach)
+  {
+    m_reach = (std::min)(reach, m_largest);
+    m_count = 0;
+    const double squared = m_reach * m_reach;
+    m_tree.visit_leaves(m_low, m_high, squared,
+                        [&](const std::size_t* begin, const std::size_t* end) {
+                          if (m_count + std::size_t(end - begin) > m_site.size())
+                            make_room(2 * m_count + std::size_t(end - begin));
+                          for (; begin != end; ++begin, ++m_count) {
+                            const Point_3& p = m_tree.points()[*begin];
+                            m_x[Eigen::Index(m_count)] = p.x();
+                            m_y[Eigen::Index(m_count)] = p.y();
+                            m_z[Eigen::Index(m_count)] = p.z();
+                            m_site[m_count] = static_cast<std::uint32_t>(*begin);
+                          }
+                        });
+  }
+
+  /// Chooses the nearest of what is collected, and collects more if that is not enough.
+  void choose(std::size_t i)
+  {
+    const Point_3& p = m_tree.points()[i];
+    for (;;) {
+      const Eigen::Index n = Eigen::Index(m_count);
+      m_squared_distance.head(n) = (m_x.head(n) - p.x()).square() + (m_y.head(n) - p.y()).square() +
+                                   (m_z.head(n) - p.z()).square();
+      // most have as many neighbours in a ball a little larger than that of the point before
+      const double likely = 1.15 * m_radius;
+      if (likely < m_reach && gather(i, likely * likely) >= m_k)
+        break;
+      // nothing farther than m_reach is known
+      if (gather(i, m_reach * m_reach) >= m_k || m_reach >= m_largest ||
+          m_count >= m_tree.points().size())
+        break;
+      collect(2. * m_reach + (std::numeric_limits<double>::min)());
+    }
+    keep_nearest();
+  }
+
+  /// Gathers those that are not farther, without the point itself.
+  /// \return how many
+  std::size_t gather(std::size_t i, double squared_radius)
+  {
+    m_squared_limit = squared_radius;
+    std::size_t n = 0;
+    for (std::size_t j = 0; j < m_count; ++j) {
+      const double squared = m_squared_distance[Eigen::Index(j)];
+      m_near[n] = {squared, m_site[j]};
+      n += std::size_t(squared <= squared_radius) & std::size_t(m_site[j] != i);
+    }
+    return m_within = n;
+  }
+
+  /// The `k` nearest of those gathered, in the order in which they were collected
+  void keep_nearest()
+  {
+    Neighbor_tree::Neighbor last = {(std::numeric_limits<double>::infinity)(), 0};
+    if (m_within > m_k)
+      last = farthest_of_nearest();
+    m_found.resize(m_within + 1);
+    std::size_t count = 0;
+    double largest = 0.;
+    for (std::size_t j = 0; j < m_within; ++j) {
+      const Neighbor_tree::Neighbor& here = m_near[j];
+      m_found[count] = here.index;
+      const bool is_near =
+          here.squared_distance < last.squared_distance ||
+          (here.squared_distance == last.squared_distance && here.index <= last.index);
+      largest = (std::max)(largest, is_near ? here.squared_distance : 0.);
+      count += std::size_t(is_near);
+    }
+    m_found.resize(count);
+    m_radius = std::sqrt(largest);
+  }
+
+  /// What separates the `k` nearest of those gathered from the others. The number of points in a
+  /// ball on a surface grows with its squared radius, so that a few interpolations tell.
+  Neighbor_tree::Neighbor farthest_of_nearest()
+  {
+    double low = 0., high = m_squared_limit;
+    std::size_t below = 0, above = m_within;
+    for (int step = 0; step < 8; ++step) {
+      const double middle =
+          low + (high - low) * (double(m_k - below) + .5) / (double(above - below) + 1.);
+      std::size_t count = 0;
+      for (std::size_t j = 0; j < m_within; ++j)
+        count += std::size_t(m_near[j].squared_distance <= middle);
+      if (count == m_k)
+        return {middle, (std::numeric_limits<std::uint32_t>::max)()};
+      if (count < m_k)
+        low = middle, below = count;
+      else
+        high = middle, above = count;
+    }
+    m_sorted.assign(m_near.begin(), m_near.begin() + std::ptrdiff_t(m_within));
+    const auto nth = m_sorted.begin() + std::ptrdiff_t(m_k - 1);
+    std::nth_element(m_sorted.begin(), nth, m_sorted.end());
+    return *nth;
+  }
+};
+
+} // namespace internal
+} // namespace Point_set_flow
+} // namespace CGAL
+
+#endif // CGAL_BALANCED_FLOW_INTERNAL_GROUP_SEARCH_H
