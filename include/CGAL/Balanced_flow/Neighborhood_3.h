@@ -36,7 +36,7 @@ class Neighborhood_3 {
 public:
   /// \param points the points of the surface
   /// \param center the index of the point in the middle
-  /// \param neighbors, size the indices of its neighbours, nearest first, without itself
+  /// \param neighbors, size the indices of its neighbours, in any order, without itself
   /// \param radius the neighbourhood radius: the distance of the farthest neighbour
   /// \param filter_width \f$\sigma\f$ of \f$G\f$ in multiples of the radius
   /// \param surface what else is known

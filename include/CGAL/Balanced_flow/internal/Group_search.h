@@ -40,7 +40,9 @@ class Group_search {
   // those of them that are near enough to be sure of them
   std::size_t m_within = 0;
   double m_squared_limit = 0.;
-  std::vector<Neighbor_tree::Neighbor> m_near, m_sorted;
+  std::vector<std::uint32_t> m_near;
+  std::vector<double> m_squared;
+  std::vector<Neighbor_tree::Neighbor> m_sorted;
   std::vector<std::uint32_t> m_found;
 
 public:
@@ -111,6 +113,7 @@ private:
     m_squared_distance.resize(Eigen::Index(size));
     m_site.resize(size);
     m_near.resize(size + 1);
+    m_squared.resize(size + 1);
   }
 
   /// Collects all points within a distance from the box.
@@ -118,19 +121,40 @@ private:
   {
     m_reach = (std::min)(reach, m_largest);
     m_count = 0;
+    m_tree.visit_leaves(
+        m_low, m_high, m_reach * m_reach,
+        [this](const std::size_t* begin, const std::size_t* end) { collect(begin, end); });
+  }
+
+  void collect(const std::size_t* begin, const std::size_t* end)
+  {
+    const std::size_t size = m_count + std::size_t(end - begin);
+    if (size > m_site.size())
+      make_room(2 * size);
+    double* const xs = m_x.data();
+    double* const ys = m_y.data();
+    double* const zs = m_z.data();
+    std::uint32_t* const sites = m_site.data();
+    const Point_3* const points = m_tree.points().data();
+    const std::array<double, 3> low = m_low, high = m_high;
     const double squared = m_reach * m_reach;
-    m_tree.visit_leaves(m_low, m_high, squared,
-                        [&](const std::size_t* begin, const std::size_t* end) {
-                          if (m_count + std::size_t(end - begin) > m_site.size())
-                            make_room(2 * m_count + std::size_t(end - begin));
-                          for (; begin != end; ++begin, ++m_count) {
-                            const Point_3& p = m_tree.points()[*begin];
-                            m_x[Eigen::Index(m_count)] = p.x();
-                            m_y[Eigen::Index(m_count)] = p.y();
-                            m_z[Eigen::Index(m_count)] = p.z();
-                            m_site[m_count] = static_cast<std::uint32_t>(*begin);
-                          }
-                        });
+    std::size_t count = m_count;
+    for (; begin != end; ++begin) {
+      const Point_3& p = points[*begin];
+      const double x = p.x(), y = p.y(), z = p.z();
+      xs[count] = x;
+      ys[count] = y;
+      zs[count] = z;
+      sites[count] = static_cast<std::uint32_t>(*begin);
+      const auto clamp = [](double c, double least, double most) {
+        const double lower = c < least ? least : c;
+        return c - (lower > most ? most : lower);
+      };
+      const double dx = clamp(x, low[0], high[0]), dy = clamp(y, low[1], high[1]),
+                   dz = clamp(z, low[2], high[2]);
+      count += std::size_t(dx * dx + dy * dy + dz * dz <= squared);
+    }
+    m_count = count;
   }
 
   /// Chooses the nearest of what is collected, and collects more if that is not enough.
@@ -143,50 +167,54 @@ private:
                                    (m_z.head(n) - p.z()).square();
       // most have as many neighbours in a ball a little larger than that of the point before
       const double likely = 1.15 * m_radius;
-      if (likely < m_reach && gather(i, likely * likely) >= m_k)
+      if (likely < m_reach && gather(likely * likely) >= m_k)
         break;
       // nothing farther than m_reach is known
-      if (gather(i, m_reach * m_reach) >= m_k || m_reach >= m_largest ||
+      if (gather(m_reach * m_reach) >= m_k || m_reach >= m_largest ||
           m_count >= m_tree.points().size())
         break;
       collect(2. * m_reach + (std::numeric_limits<double>::min)());
     }
-    keep_nearest();
+    keep_nearest(i);
   }
 
-  /// Gathers those that are not farther, without the point itself.
-  /// \return how many
-  std::size_t gather(std::size_t i, double squared_radius)
+  /// Gathers those that are not farther.
+  /// \return how many, without the point itself
+  std::size_t gather(double squared_radius)
   {
-    m_squared_limit = squared_radius;
+    const double* const squared = m_squared_distance.data();
+    std::uint32_t* const near = m_near.data();
     std::size_t n = 0;
     for (std::size_t j = 0; j < m_count; ++j) {
-      const double squared = m_squared_distance[Eigen::Index(j)];
-      m_near[n] = {squared, m_site[j]};
-      n += std::size_t(squared <= squared_radius) & std::size_t(m_site[j] != i);
+      near[n] = static_cast<std::uint32_t>(j);
+      n += std::size_t(squared[j] <= squared_radius);
     }
-    return m_within = n;
+    m_squared_limit = squared_radius;
+    m_within = n;
+    return n - 1;
   }
 
   /// The `k` nearest of those gathered, in the order in which they were collected
-  void keep_nearest()
+  void keep_nearest(std::size_t i)
   {
+    for (std::size_t j = 0; j < m_within; ++j)
+      m_squared[j] = m_squared_distance[m_near[j]];
     Neighbor_tree::Neighbor last = {(std::numeric_limits<double>::infinity)(), 0};
-    if (m_within > m_k)
+    if (m_within > m_k + 1)
       last = farthest_of_nearest();
     m_found.resize(m_within + 1);
     std::size_t count = 0;
     double largest = 0.;
     for (std::size_t j = 0; j < m_within; ++j) {
-      const Neighbor_tree::Neighbor& here = m_near[j];
-      m_found[count] = here.index;
-      const bool is_near =
-          here.squared_distance < last.squared_distance ||
-          (here.squared_distance == last.squared_distance && here.index <= last.index);
-      largest = (std::max)(largest, is_near ? here.squared_distance : 0.);
-      count += std::size_t(is_near);
+      const double squared = m_squared[j];
+      const std::uint32_t site = m_site[m_near[j]];
+      m_found[count] = site;
+      const bool is_near = (squared < last.squared_distance) |
+                           ((squared == last.squared_distance) & (site <= last.index));
+      largest = (std::max)(largest, is_near ? squared : 0.);
+      count += std::size_t(is_near & (site != i));
     }
-    m_found.resize(count);
+    m_found.resize((std::min)(count, m_k)); // squared distances may be 0 between distinct points
     m_radius = std::sqrt(largest);
   }
 
@@ -195,22 +223,25 @@ private:
   Neighbor_tree::Neighbor farthest_of_nearest()
   {
     double low = 0., high = m_squared_limit;
+    const std::size_t wanted = m_k + 1; // with the point itself, which is the nearest
     std::size_t below = 0, above = m_within;
     for (int step = 0; step < 8; ++step) {
       const double middle =
-          low + (high - low) * (double(m_k - below) + .5) / (double(above - below) + 1.);
+          low + (high - low) * (double(wanted - below) + .5) / (double(above - below) + 1.);
       std::size_t count = 0;
       for (std::size_t j = 0; j < m_within; ++j)
-        count += std::size_t(m_near[j].squared_distance <= middle);
-      if (count == m_k)
+        count += std::size_t(m_squared[j] <= middle);
+      if (count == wanted)
         return {middle, (std::numeric_limits<std::uint32_t>::max)()};
-      if (count < m_k)
+      if (count < wanted)
         low = middle, below = count;
       else
         high = middle, above = count;
     }
-    m_sorted.assign(m_near.begin(), m_near.begin() + std::ptrdiff_t(m_within));
-    const auto nth = m_sorted.begin() + std::ptrdiff_t(m_k - 1);
+    m_sorted.clear();
+    for (std::size_t j = 0; j < m_within; ++j)
+      m_sorted.push_back({m_squared[j], m_site[m_near[j]]});
+    const auto nth = m_sorted.begin() + std::ptrdiff_t(wanted - 1);
     std::nth_element(m_sorted.begin(), nth, m_sorted.end());
     return *nth;
   }

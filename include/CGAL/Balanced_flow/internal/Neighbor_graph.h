@@ -71,17 +71,32 @@ public:
   /// Leaves each point the nearest of its neighbours.
   /// \param points where the points were when the graph was made
   /// \param sizes how many, for each point; more than there are is as many as there are
-  void shrink(const std::vector<Point_3>& points, const std::vector<std::uint32_t>& sizes)
+  template <typename ConcurrencyTag>
+  void shrink(const std::vector<Point_3>& points, const std::vector<std::uint32_t>& sizes,
+              Progress& progress, double work)
   {
     m_sizes.resize(m_radii.size(), static_cast<std::uint32_t>(m_stride));
-    for (std::size_t i = 0; i < sizes.size(); ++i)
-      if (sizes[i] < m_sizes[i]) {
+    const auto shrink_block = [&](std::size_t begin, std::size_t end) {
+      std::vector<Neighbor_tree::Neighbor> nearest;
+      for (std::size_t i = begin; i < end; ++i) {
+        if (sizes[i] >= m_sizes[i] || sizes[i] == 0)
+          continue;
+        std::uint32_t* const first = m_neighbors.data() + i * m_stride;
+        std::uint32_t* const last = first + m_sizes[i];
+        nearest.clear();
+        for (const std::uint32_t* j = first; j != last; ++j)
+          nearest.push_back({squared_distance(points[i], points[*j]), *j});
+        const auto nth = nearest.begin() + (sizes[i] - 1);
+        std::nth_element(nearest.begin(), nth, nearest.end());
+        const Neighbor_tree::Neighbor farthest = *nth;
+        std::remove_if(first, last, [&](std::uint32_t j) {
+          return farthest < Neighbor_tree::Neighbor{squared_distance(points[i], points[j]), j};
+        });
         m_sizes[i] = sizes[i];
-        m_radii[i] =
-            sizes[i] > 0
-                ? std::sqrt(squared_distance(points[i], points[neighbors(i)[sizes[i] - 1]]))
-                : 0.;
+        m_radii[i] = std::sqrt(farthest.squared_distance);
       }
+    };
+    for_each_block<ConcurrencyTag>(sizes.size(), progress, work, shrink_block);
   }
 };
 

@@ -3,9 +3,7 @@
 #define CGAL_BALANCED_FLOW_INTERNAL_POINT_BUFFER_H
 
 #include <CGAL/Balanced_flow/Vector_types.h>
-#include <CGAL/Spatial_sort_traits_adapter_3.h>
 #include <CGAL/hilbert_sort.h>
-#include <CGAL/property_map.h>
 #include <CGAL/tags.h>
 
 #ifdef CGAL_LINKED_WITH_TBB
@@ -16,10 +14,8 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
-#include <numeric>
 #include <stdexcept>
 #include <type_traits>
-#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -49,30 +45,35 @@ public:
   {
     if (input.size() > (std::numeric_limits<std::uint32_t>::max)())
       throw std::length_error("CGAL::balanced_flow_smooth_point_set: more than 2^32 - 1 points");
-    const std::vector<Point_3>& from = start.empty() ? input : start;
+    std::vector<Entry> entries = sorted_entries(concurrency, input, start);
 
-    const auto equal = [&](std::size_t a, std::size_t b) {
-      return input[a] == input[b] && from[a] == from[b];
-    };
-    std::vector<std::uint32_t> sorted = sort(concurrency, input, from);
-    std::vector<std::size_t> distinct; // one input point for each site
-    for (const std::uint32_t i : sorted) {
-      if (distinct.empty() || !equal(distinct.back(), i))
-        distinct.push_back(i);
-      site_of[i] = static_cast<std::uint32_t>(distinct.back()); // its place follows below
+    // one entry for each site, with the place among the sorted ones for a number
+    std::vector<Point_3> sorted_start;
+    std::size_t count = 0;
+    for (const Entry& entry : entries) {
+      const std::uint32_t i = entry.index;
+      const bool is_new = count == 0 || entry.point != entries[count - 1].point ||
+                          (!start.empty() && start[i] != sorted_start.back());
+      if (is_new) {
+        entries[count] = {entry.point, static_cast<std::uint32_t>(count)};
+        ++count;
+        if (!start.empty())
+          sorted_start.push_back(start[i]);
+      }
+      site_of[i] = static_cast<std::uint32_t>(count - 1); // its place follows below
     }
-    sorted = std::vector<std::uint32_t>();
+    entries.resize(count);
+    // a few points that stay in one place of the order are near enough to each other
+    Hilbert_sort_3<Sort_traits, Hilbert_sort_median_policy, ConcurrencyTag>(Sort_traits(), 4)(
+        entries.begin(), entries.end());
 
-    const auto point_map = CGAL::make_property_map(input);
-    hilbert_sort<ConcurrencyTag>(
-        distinct.begin(), distinct.end(),
-        Spatial_sort_traits_adapter_3<Core_kernel, decltype(point_map)>(point_map));
-
-    std::vector<std::uint32_t> place(input.size());
-    for (std::size_t site = 0; site < distinct.size(); ++site) {
-      place[distinct[site]] = static_cast<std::uint32_t>(site);
-      points.push_back(from[distinct[site]]);
-      reference.push_back(input[distinct[site]]);
+    std::vector<std::uint32_t> place(count);
+    points.reserve(count);
+    reference.reserve(count);
+    for (const Entry& entry : entries) {
+      place[entry.index] = static_cast<std::uint32_t>(reference.size());
+      reference.push_back(entry.point);
+      points.push_back(start.empty() ? entry.point : sorted_start[entry.index]);
     }
     for (std::uint32_t& site : site_of)
       site = place[site];
@@ -91,23 +92,52 @@ public:
   std::size_t size() const { return points.size(); }
 
 private:
+  struct Entry {
+    Point_3 point;
+    std::uint32_t index;
+  };
+
+  /// What the Hilbert sort of \cgal asks for
+  struct Sort_traits {
+    typedef Entry Point_3;
+    template <int d>
+    struct Less {
+      bool operator()(const Entry& a, const Entry& b) const { return a.point[d] < b.point[d]; }
+    };
+    typedef Less<0> Less_x_3;
+    typedef Less<1> Less_y_3;
+    typedef Less<2> Less_z_3;
+    Less_x_3 less_x_3_object() const { return Less_x_3(); }
+    Less_y_3 less_y_3_object() const { return Less_y_3(); }
+    Less_z_3 less_z_3_object() const { return Less_z_3(); }
+  };
+
   /// Sorts by coordinates, which brings duplicates together and forgets the order of the input.
   template <typename ConcurrencyTag>
-  static std::vector<std::uint32_t> sort(ConcurrencyTag, const std::vector<Point_3>& input,
-                                         const std::vector<Point_3>& from)
+  static std::vector<Entry> sorted_entries(ConcurrencyTag, const std::vector<Point_3>& input,
+                                           const std::vector<Point_3>& start)
   {
-    std::vector<std::uint32_t> order(input.size());
-    std::iota(order.begin(), order.end(), 0u);
-    const auto less = [&](std::uint32_t a, std::uint32_t b) {
-      return input[a] < input[b] || (input[a] == input[b] && from[a] < from[b]);
+    std::vector<Entry> entries;
+    entries.reserve(input.size());
+    for (const Point_3& p : input)
+      entries.push_back({p, static_cast<std::uint32_t>(entries.size())});
+    const auto less = [&](const Entry& a, const Entry& b) {
+      const Point_3 &p = a.point, &q = b.point;
+      if (p.x() != q.x())
+        return p.x() < q.x();
+      if (p.y() != q.y())
+        return p.y() < q.y();
+      if (p.z() != q.z() || start.empty())
+        return p.z() < q.z();
+      return start[a.index] < start[b.index];
     };
 #ifdef CGAL_LINKED_WITH_TBB
     if constexpr (std::is_convertible<ConcurrencyTag, Parallel_tag>::value)
-      tbb::parallel_sort(order.begin(), order.end(), less);
+      tbb::parallel_sort(entries.begin(), entries.end(), less);
     else
 #endif
-      std::sort(order.begin(), order.end(), less);
-    return order;
+      std::sort(entries.begin(), entries.end(), less);
+    return entries;
   }
 };
 

@@ -23,7 +23,7 @@ namespace internal {
 /// What the stages cost relative to each other, for the progress.
 namespace work {
 constexpr double order = 2., scale = .5, noise = .5, graph = 6., prefilter = 1., planes = 1.,
-                 thin_parts = 2., step = 2.;
+                 thin_parts = 2., shrink = .5, step = 2.;
 
 /// \param uses_normals whether the estimator does
 /// \param prefiltered whether the flow is, and the estimator does not use normals
@@ -32,7 +32,7 @@ inline double total(unsigned int number_of_iterations, bool uses_normals, bool p
                     int outputs)
 {
   const double before = uses_normals ? planes : prefiltered ? prefilter + planes : 0.;
-  return order + scale + graph + (uses_normals ? noise + thin_parts : 0.) +
+  return order + scale + graph + (uses_normals ? noise + thin_parts + shrink : 0.) +
          number_of_iterations * (before + step) + outputs * planes;
 }
 } // namespace work
@@ -179,7 +179,7 @@ private:
         find_thin_parts<ConcurrencyTag>(m_buffer.points, m_graph, m_filter_width, m_defaults,
                                         m_state, m_progress, work::thin_parts);
     if (!m_options.k)
-      m_graph.shrink(m_buffer.reference, sizes);
+      m_graph.template shrink<ConcurrencyTag>(m_buffer.reference, sizes, m_progress, work::shrink);
   }
 
   /// The diffusivity where the caller gave no K: 1/2 at a crease of the sharpness angle, but not

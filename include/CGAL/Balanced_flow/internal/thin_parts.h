@@ -66,18 +66,20 @@ template <typename ConcurrencyTag>
 void pool(const Neighbor_graph& graph, std::vector<Distance_moments>& moments, Progress& progress,
           double work)
 {
-  const std::size_t most = 64;
+  const std::size_t most = 64; // all over the neighbourhood
   std::vector<Distance_moments> pooled(moments.size());
   const auto average = [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
-      const std::size_t size = (std::min)(most, graph.size(i));
+      const std::size_t size = graph.size(i), stride = (size + most - 1) / most;
       Distance_moments sum = moments[i];
-      for (std::size_t j = 0; j < size; ++j) {
+      double count = 1.;
+      for (std::size_t j = 0; j < size; j += stride) {
         sum.second += moments[graph.neighbors(i)[j]].second;
         sum.fourth += moments[graph.neighbors(i)[j]].fourth;
+        count += 1.;
       }
-      pooled[i].second = sum.second / double(size + 1);
-      pooled[i].fourth = sum.fourth / double(size + 1);
+      pooled[i].second = sum.second / count;
+      pooled[i].fourth = sum.fourth / count;
     }
   };
   for_each_block<ConcurrencyTag>(moments.size(), progress, work, average);
