@@ -215,6 +215,7 @@ BOOST_AUTO_TEST_CASE(errors_name_the_argument_and_leave_the_points)
   check("sharpness_angle is 0", with(np::sharpness_angle(0.)));
   check("number_of_iterations is -3", with(np::number_of_iterations(-3)));
   check("update_period is -1", with(np::update_period(-1)));
+  check("block_size is 0", with(np::block_size(0)));
 
   Points bad = noisy;
   bad[17] = shapes::Point_3(1, nan, 2);

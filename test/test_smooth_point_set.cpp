@@ -188,7 +188,7 @@ BOOST_AUTO_TEST_CASE(without_k_the_size_is_chosen_from_the_data)
   const Points noisy = noisy_cube();
   Points automatic = noisy, with_pack = noisy, literal = noisy;
   CGAL::balanced_flow_smooth_point_set<Sequential>(automatic);
-  CGAL::balanced_flow_smooth_point_set<Sequential>(with_pack, np::step_length(.65));
+  CGAL::balanced_flow_smooth_point_set<Sequential>(with_pack, np::step_length(.75));
   CGAL::balanced_flow_smooth_point_set<Sequential>(literal, 7); // an int: a k, not a pack
   BOOST_TEST((automatic == with_pack));
   BOOST_TEST((literal != automatic));
@@ -260,6 +260,31 @@ BOOST_AUTO_TEST_CASE(parallel_and_sequential_are_the_same_to_the_last_bit)
   BOOST_TEST((run(Sequential(), Balanced_flow()) == run(CGAL::Parallel_tag(), Balanced_flow())));
   BOOST_TEST((run(Sequential(), Curvature_flow()) == run(CGAL::Parallel_tag(), Curvature_flow())));
 #endif
+}
+
+BOOST_AUTO_TEST_CASE(blocks_and_one_piece_are_the_same_to_the_last_bit)
+{
+  const Points noisy = noisy_cube(60);
+  const auto run = [&](unsigned int block_size, const auto& curvature, unsigned int steps) {
+    std::vector<std::pair<shapes::Point_3, shapes::Vector_3>> pairs;
+    for (const auto& p : noisy)
+      pairs.emplace_back(p, shapes::Vector_3(0, 0, 0));
+    typedef std::pair<shapes::Point_3, shapes::Vector_3> Pair;
+    const double moved = CGAL::balanced_flow_smooth_point_set<Sequential>(
+        pairs, np::block_size(block_size)
+                   .curvature(curvature)
+                   .number_of_iterations(steps)
+                   .point_map(CGAL::First_of_pair_property_map<Pair>())
+                   .normal_map(CGAL::Second_of_pair_property_map<Pair>()));
+    return std::make_pair(pairs, moved);
+  };
+  const auto check = [&](const auto& curvature, unsigned int steps) {
+    const auto whole = run(1000000, curvature, steps);
+    for (const unsigned int block_size : {1u, 3000u, 20000u})
+      BOOST_TEST((run(block_size, curvature, steps) == whole));
+  };
+  check(Tangent_plane_curvature(), 2);
+  check(Covariance_curvature(), 3);
 }
 
 BOOST_AUTO_TEST_CASE(the_order_of_the_input_does_not_matter)

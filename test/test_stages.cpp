@@ -39,15 +39,71 @@ BOOST_AUTO_TEST_CASE(the_diffusivity_falls_from_1_through_one_half_at_the_thresh
   BOOST_TEST(Diffusivity(0.)(.3) == 1.);
 }
 
-BOOST_AUTO_TEST_CASE(neighbors_are_the_nearest_ones)
+namespace {
+
+/// A surface, a lattice, where many distances are equal, and a point far away
+Points points_of_all_kinds()
 {
   Points points = shapes::cube(12);
-  for (int i = 0; i < 5; ++i) // a lattice, where many distances are equal
+  for (int i = 0; i < 5; ++i)
     for (int j = 0; j < 5; ++j)
       for (int l = 0; l < 5; ++l)
         points.emplace_back(3. + i, j, l);
   points.emplace_back(1e6, 0., 0.);
+  return points;
+}
 
+/// All other points, nearest first, ties by index
+std::vector<internal::Neighbor_tree::Neighbor> by_distance(const Points& points, std::size_t i)
+{
+  std::vector<internal::Neighbor_tree::Neighbor> sorted;
+  for (std::size_t j = 0; j < points.size(); ++j)
+    if (j != i)
+      sorted.push_back({CGAL::squared_distance(points[i], points[j]), std::uint32_t(j)});
+  std::sort(sorted.begin(), sorted.end());
+  return sorted;
+}
+
+} // namespace
+
+BOOST_AUTO_TEST_CASE(the_graph_has_the_nearest_neighbors)
+{
+  const Points points = points_of_all_kinds();
+  const internal::Neighbor_tree tree(sequential, points);
+  internal::Progress progress(no_callback, 1.);
+  for (const double radius : {0., .4}) // without a limit, and with one
+    for (const std::size_t k : {std::size_t(1), std::size_t(7), std::size_t(30), points.size()}) {
+      internal::Neighbor_graph graph(sequential, tree, k, radius, progress, 0.);
+      const auto check = [&](std::size_t i, std::size_t most) {
+        auto expected = by_distance(points, i);
+        expected.resize((std::min)(most, expected.size()));
+        while (radius > 0. && !expected.empty() &&
+               expected.back().squared_distance > radius * radius)
+          expected.pop_back();
+        BOOST_REQUIRE(graph.size(i) == expected.size());
+        const double farthest = expected.empty() ? 0. : expected.back().squared_distance;
+        BOOST_REQUIRE(graph.radius(i) == std::sqrt(farthest));
+        std::vector<std::uint32_t> found(graph.neighbors(i), graph.neighbors(i) + graph.size(i));
+        std::sort(found.begin(), found.end());
+        std::sort(expected.begin(), expected.end(),
+                  [](const auto& a, const auto& b) { return a.index < b.index; });
+        for (std::size_t j = 0; j < found.size(); ++j)
+          BOOST_REQUIRE(found[j] == expected[j].index);
+      };
+      for (std::size_t i = 0; i < points.size(); i += 3)
+        check(i, k);
+      std::vector<std::uint32_t> sizes(points.size());
+      for (std::size_t i = 0; i < sizes.size(); ++i)
+        sizes[i] = std::uint32_t(1 + i % 20);
+      graph.shrink<CGAL::Sequential_tag>(points, sizes, progress, 0.);
+      for (std::size_t i = 0; i < points.size(); i += 7)
+        check(i, (std::min)(k, std::size_t(sizes[i])));
+    }
+}
+
+BOOST_AUTO_TEST_CASE(neighbors_are_the_nearest_ones)
+{
+  const Points points = points_of_all_kinds();
   typedef CGAL::Orthogonal_k_neighbor_search<CGAL::Search_traits_3<Core_kernel>> Search;
   Search::Tree cgal_tree(points.begin(), points.end());
   const internal::Neighbor_tree tree(sequential, points);
@@ -55,12 +111,7 @@ BOOST_AUTO_TEST_CASE(neighbors_are_the_nearest_ones)
     internal::Neighbor_tree::Query query(tree, k);
     internal::Neighbor_tree::Query within(tree, k, .4), anywhere(tree, k);
     for (std::size_t i = 0; i < points.size(); ++i) {
-      // by brute force, ties by index
-      std::vector<internal::Neighbor_tree::Neighbor> expected;
-      for (std::size_t j = 0; j < points.size(); ++j)
-        if (j != i)
-          expected.push_back({CGAL::squared_distance(points[i], points[j]), std::uint32_t(j)});
-      std::sort(expected.begin(), expected.end());
+      const auto expected = by_distance(points, i);
       const auto found = query(i);
       BOOST_REQUIRE(found.size() == k);
       for (std::size_t j = 0; j < k; ++j)
@@ -96,11 +147,11 @@ BOOST_AUTO_TEST_CASE(the_buffer_merges_duplicates_and_forgets_the_order)
   const internal::Point_buffer buffer(sequential, points, {}, {});
   BOOST_TEST(buffer.size() == 500u);
   for (std::size_t i = 0; i < points.size(); ++i)
-    BOOST_TEST((buffer.points[buffer.site_of[i]] == points[i]));
+    BOOST_TEST((buffer.reference[buffer.site_of[i]] == points[i]));
 
   Points shuffled = points;
   std::shuffle(shuffled.begin(), shuffled.end(), std::mt19937(3));
-  BOOST_TEST((internal::Point_buffer(sequential, shuffled, {}, {}).points == buffer.points));
+  BOOST_TEST((internal::Point_buffer(sequential, shuffled, {}, {}).reference == buffer.reference));
 
   // same start but different references: two different points
   const internal::Point_buffer two(sequential, {{0, 0, 0}, {1, 0, 0}, {1, 0, 0}},

@@ -43,9 +43,9 @@ public:
   static Curvature_defaults defaults()
   {
     Curvature_defaults d;
-    d.number_of_iterations = 6;
+    d.number_of_iterations = 5;
     d.filter_width = .6;
-    d.step_length = .65;
+    d.step_length = .75;
     d.sharpness_angle = 60.;
     d.size_factor = 60., d.size_exponent = .7;
     d.smallest_size = 24, d.largest_size = 128;
@@ -91,7 +91,7 @@ private:
   // in multiples of the noise
   static constexpr double residual_width = 1.8, slab_width = 1.5;
   // weights of neighbours, each of which weighs 1 at most
-  static constexpr double fewest = .5, few = .001;
+  static constexpr double weight_before = .2, few = .001;
   // the exponent of what is too far off to count
   static constexpr double farthest = 7.;
 
@@ -122,6 +122,8 @@ private:
   template <bool has_normals>
   static Tangent_plane_3 tangent_plane(const Neighborhood_3& neighborhood)
   {
+    if (has_normals && !(neighborhood.noise() > 0.))
+      return {neighborhood.normal(), 0.}; // nothing moves here, and the first plane will do
     const Weights weigh(neighborhood);
     const double residual = 1. / (8. * weigh.residual * weigh.residual + tiny());
     const internal::Two_by_two two(neighborhood);
@@ -147,15 +149,19 @@ private:
       yy += wy * d.y, yz += wy * d.z, zz += wz * d.z;
     }
     const double total = sum.sum() + 1. - two.pads(); // the point itself
-    // neighbours that together weigh less than one tell no plane, and their tiny weights would
-    // make the result depend on rounding
-    if (has_normals && !(total > 1. + fewest))
-      return {two.normal, 0.};
-
     internal::Covariance_3 moments;
     moments.xx = xx.sum(), moments.xy = xy.sum(), moments.xz = xz.sum();
     moments.yy = yy.sum(), moments.yz = yz.sum(), moments.zz = zz.sum();
     moments.add(Vector_3(x.sum(), y.sum(), z.sum()) / total, -total);
+    if constexpr (has_normals) {
+      // The plane of the step before counts, too, though little: where hardly any neighbours are
+      // left, their tiny weights would make the result depend on rounding.
+      const double before = weight_before / (2. * weigh.distance);
+      const Vector_3& n = two.normal;
+      moments.xx += before * (1. - n.x() * n.x()), moments.xy -= before * n.x() * n.y();
+      moments.yy += before * (1. - n.y() * n.y()), moments.xz -= before * n.x() * n.z();
+      moments.zz += before * (1. - n.z() * n.z()), moments.yz -= before * n.y() * n.z();
+    }
     const internal::Smallest_eigenpair_3 pair = internal::smallest_eigenpair(moments);
     const double trace = moments.trace(), noise = weigh.residual / residual_width;
     // twice the deviation of the noise is still noise: features must stand out

@@ -53,7 +53,7 @@ Point_set_scale estimate_point_set_scale(const PointRange& points,
   const internal::Frame frame = internal::find_frame(copy);
   internal::move_to_core(copy, frame);
   const internal::Point_buffer buffer(ConcurrencyTag(), copy, {}, {});
-  const internal::Neighbor_tree tree(ConcurrencyTag(), buffer.points);
+  const internal::Neighbor_tree tree(ConcurrencyTag(), buffer.reference);
   const std::function<bool(double)> no_callback;
   internal::Progress progress(no_callback, 1.);
 

@@ -18,7 +18,8 @@ namespace Point_set_flow {
   DEFINE(step_length)                                                                              \
   DEFINE(update_period)                                                                            \
   DEFINE(initial_point_map)                                                                        \
-  DEFINE(feature_strength_map)
+  DEFINE(feature_strength_map)                                                                     \
+  DEFINE(block_size)
 
 /// The tags by which named parameters are looked up.
 namespace internal_np {
@@ -65,7 +66,7 @@ namespace parameters {
 /// \addtogroup PkgBalancedFlowRef
 /// The named parameters of this package, documented at `balanced_flow_smooth_point_set()`: `flow`,
 /// `curvature`, `feature_threshold`, `filter_width`, `step_length`, `update_period`,
-/// `initial_point_map` and `feature_strength_map`. They start a pack, in any order, and those of \cgal follow.
+/// `initial_point_map`, `feature_strength_map` and `block_size`. They start a pack, in any order, and those of \cgal follow.
 /// @{
 #define CGAL_BALANCED_FLOW_FUNCTION(NAME)                                                          \
   template <typename K>                                                                            \

@@ -54,7 +54,7 @@ public:
     make_room(256);
   }
 
-  /// Calls `visit(i, neighbors, radius)` for each point `i` of `[first, last)`: its nearest
+  /// Calls `visit(neighbors, radius)` for each point of `[first, last)`, one after the other: its nearest
   /// neighbours without itself, in an order that depends on the tree only, and the distance of the
   /// farthest.
   template <typename Iterator, typename Visit>
@@ -74,7 +74,7 @@ public:
       double largest = 0.;
       for (; first != end; ++first) {
         choose(*first);
-        visit(*first, m_found, m_radius);
+        visit(m_found, m_radius);
         largest = (std::max)(largest, m_radius);
       }
       m_radius = largest;

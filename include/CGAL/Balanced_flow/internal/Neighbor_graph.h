@@ -20,36 +20,69 @@ namespace internal {
 class Neighbor_graph {
   std::size_t m_stride;
   std::vector<std::uint32_t> m_neighbors; // m_stride entries for each point
-  std::vector<std::uint32_t> m_sizes;     // empty if each point has m_stride neighbours
+  std::vector<std::uint32_t> m_sizes;     // how many of them count
   std::vector<double> m_radii;            // the distance of the farthest neighbour
 
+  explicit Neighbor_graph(std::size_t stride) : m_stride(stride) {}
+
 public:
+  /// A graph without points yet
+  Neighbor_graph(const Neighbor_tree& tree, std::size_t k)
+      : m_stride(tree.points().empty() ? 0 : (std::min)(k, tree.points().size() - 1))
+  {}
+
   /// \param radius the distance beyond which there are no neighbours, 0 for no limit
   template <typename ConcurrencyTag>
-  Neighbor_graph(ConcurrencyTag, const Neighbor_tree& tree, std::size_t k, double radius,
+  Neighbor_graph(ConcurrencyTag tag, const Neighbor_tree& tree, std::size_t k, double radius,
                  Progress& progress, double work)
-      : m_stride(tree.points().empty() ? 0 : (std::min)(k, tree.points().size() - 1))
+      : Neighbor_graph(tree, k)
   {
-    const std::size_t n = tree.points().size();
-    m_neighbors.resize(n * m_stride);
-    m_radii.resize(n);
-    if (radius > 0.)
-      m_sizes.resize(n);
+    typedef boost::counting_iterator<std::size_t> Site;
+    add(tag, tree, Site(0), Site(tree.points().size()), radius, progress, work);
+  }
+
+  /// Adds points of the tree, which follow each other in space, with their neighbours.
+  template <typename ConcurrencyTag, typename Iterator>
+  void add(ConcurrencyTag, const Neighbor_tree& tree, Iterator first, Iterator last, double radius,
+           Progress& progress, double work)
+  {
+    const std::size_t before = m_radii.size(), count = std::size_t(last - first);
+    m_neighbors.resize((before + count) * m_stride);
+    m_sizes.resize(before + count);
+    m_radii.resize(before + count);
     if (m_stride == 0)
       return;
-
-    for_each_block<ConcurrencyTag>(n, progress, work, [&](std::size_t begin, std::size_t end) {
-      typedef boost::counting_iterator<std::size_t> Site;
+    for_each_block<ConcurrencyTag>(count, progress, work, [&](std::size_t begin, std::size_t end) {
       Group_search search(tree, m_stride, radius);
-      search(Site(begin), Site(end),
-             [&](std::size_t i, const std::vector<std::uint32_t>& found, double farthest) {
+      std::size_t i = before + begin;
+      search(first + std::ptrdiff_t(begin), first + std::ptrdiff_t(end),
+             [&](const std::vector<std::uint32_t>& found, double farthest) {
                std::copy(found.begin(), found.end(),
                          m_neighbors.begin() + std::ptrdiff_t(i * m_stride));
+               m_sizes[i] = static_cast<std::uint32_t>(found.size());
                m_radii[i] = farthest;
-               if (!m_sizes.empty())
-                 m_sizes[i] = static_cast<std::uint32_t>(found.size());
+               ++i;
              });
     });
+  }
+
+  /// The same graph where point `i` was `numbers[i]`, and is `place[numbers[i]]`. It has as many
+  /// points as there are numbers; those that were not in the graph have no neighbours.
+  Neighbor_graph renumbered(const std::vector<std::uint32_t>& numbers,
+                            const std::vector<std::uint32_t>& place) const
+  {
+    Neighbor_graph graph(m_stride);
+    graph.m_neighbors.assign(numbers.size() * m_stride, 0);
+    graph.m_sizes.assign(numbers.size(), 0);
+    graph.m_radii.assign(numbers.size(), 0.);
+    for (std::size_t i = 0; i < m_radii.size(); ++i) {
+      const std::size_t here = place[numbers[i]];
+      graph.m_sizes[here] = m_sizes[i];
+      graph.m_radii[here] = m_radii[i];
+      for (std::size_t j = 0; j < m_sizes[i]; ++j)
+        graph.m_neighbors[here * m_stride + j] = place[neighbors(i)[j]];
+    }
+    return graph;
   }
 
   /// \param points where the points are now
@@ -63,7 +96,7 @@ public:
                           surface);
   }
 
-  std::size_t size(std::size_t i) const { return m_sizes.empty() ? m_stride : m_sizes[i]; }
+  std::size_t size(std::size_t i) const { return m_sizes[i]; }
   std::size_t largest_size() const { return m_stride; }
   const std::uint32_t* neighbors(std::size_t i) const { return m_neighbors.data() + i * m_stride; }
   double radius(std::size_t i) const { return m_radii[i]; }
@@ -75,7 +108,6 @@ public:
   void shrink(const std::vector<Point_3>& points, const std::vector<std::uint32_t>& sizes,
               Progress& progress, double work)
   {
-    m_sizes.resize(m_radii.size(), static_cast<std::uint32_t>(m_stride));
     const auto shrink_block = [&](std::size_t begin, std::size_t end) {
       std::vector<Neighbor_tree::Neighbor> nearest;
       for (std::size_t i = begin; i < end; ++i) {

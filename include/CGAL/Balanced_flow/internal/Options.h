@@ -3,6 +3,7 @@
 #define CGAL_BALANCED_FLOW_INTERNAL_OPTIONS_H
 
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
 #include <limits>
 #include <optional>
@@ -38,12 +39,15 @@ struct Options {
   std::optional<double> filter_width;
   std::optional<double> step_length;
   unsigned int update_period = 4; // 0: never
+  std::size_t block_size = std::size_t(1) << 22;
 
   void check() const
   {
     if (k && *k < 2)
       throw_bad_argument("k", *k, "at least 2 neighbors are needed");
     check_not_negative("neighbor_radius", neighbor_radius);
+    if (block_size == 0)
+      throw_bad_argument("block_size", block_size, "must be positive");
     if (sharpness_angle && !(*sharpness_angle > 0. && *sharpness_angle <= 180.))
       throw_bad_argument("sharpness_angle", *sharpness_angle, "must be in (0, 180] degrees");
     if (feature_threshold)

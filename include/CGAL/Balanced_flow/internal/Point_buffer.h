@@ -29,67 +29,71 @@ namespace internal {
 /// quadratic; afterwards they move as one.
 class Point_buffer {
 public:
-  std::vector<Point_3> points;        ///< \f$u\f$
   std::vector<Point_3> reference;     ///< \f$I\f$
+  std::vector<Point_3> start;         ///< \f$\chi\f$; empty if it is the reference
   std::vector<char> constrained;      ///< empty if no point is
   std::vector<std::uint32_t> site_of; ///< for each input point, where it is above
 
   /// \param concurrency `Sequential_tag` or `Parallel_tag`
   /// \param input the reference points in the order of the caller
-  /// \param start where the flow starts, Eq. (7b); empty to start at the reference
+  /// \param from where the flow starts, Eq. (7b); empty to start at the reference
   /// \param fixed which points must not move; empty if all may
   template <typename ConcurrencyTag>
   Point_buffer(ConcurrencyTag concurrency, const std::vector<Point_3>& input,
-               const std::vector<Point_3>& start, const std::vector<char>& fixed)
+               const std::vector<Point_3>& from, const std::vector<char>& fixed)
       : site_of(input.size())
   {
     if (input.size() > (std::numeric_limits<std::uint32_t>::max)())
       throw std::length_error("CGAL::balanced_flow_smooth_point_set: more than 2^32 - 1 points");
-    std::vector<Entry> entries = sorted_entries(concurrency, input, start);
+    std::vector<Entry> entries = sorted_entries(concurrency, input, from);
 
     // one entry for each site, with the place among the sorted ones for a number
     std::vector<Point_3> sorted_start;
     std::size_t count = 0;
     for (const Entry& entry : entries) {
       const std::uint32_t i = entry.index;
-      const bool is_new = count == 0 || entry.point != entries[count - 1].point ||
-                          (!start.empty() && start[i] != sorted_start.back());
-      if (is_new) {
+      if (count == 0 || entry.point != entries[count - 1].point ||
+          (!from.empty() && from[i] != sorted_start.back())) {
         entries[count] = {entry.point, static_cast<std::uint32_t>(count)};
         ++count;
-        if (!start.empty())
-          sorted_start.push_back(start[i]);
+        if (!from.empty())
+          sorted_start.push_back(from[i]);
       }
       site_of[i] = static_cast<std::uint32_t>(count - 1); // its place follows below
     }
     entries.resize(count);
-    // a few points that stay in one place of the order are near enough to each other
-    Hilbert_sort_3<Sort_traits, Hilbert_sort_median_policy, ConcurrencyTag>(Sort_traits(), 4)(
-        entries.begin(), entries.end());
+    // a few points in one place of the order are near enough to each other
+    typedef Hilbert_sort_3<Sort_traits, Hilbert_sort_median_policy, ConcurrencyTag> Hilbert_sort;
+    Hilbert_sort(Sort_traits(), 4)(entries.begin(), entries.end());
 
     std::vector<std::uint32_t> place(count);
-    points.reserve(count);
     reference.reserve(count);
     for (const Entry& entry : entries) {
       place[entry.index] = static_cast<std::uint32_t>(reference.size());
       reference.push_back(entry.point);
-      points.push_back(start.empty() ? entry.point : sorted_start[entry.index]);
+      if (!from.empty())
+        start.push_back(sorted_start[entry.index]);
     }
     for (std::uint32_t& site : site_of)
       site = place[site];
 
     if (!fixed.empty()) {
-      constrained.assign(points.size(), 0);
+      constrained.assign(count, 0);
       for (std::size_t i = 0; i < fixed.size(); ++i)
         if (fixed[i])
           constrained[site_of[i]] = 1;
-      for (std::size_t site = 0; site < points.size(); ++site)
+      for (std::size_t site = 0; site < start.size(); ++site)
         if (constrained[site])
-          points[site] = reference[site]; // also if the others start elsewhere
+          start[site] = reference[site]; // also if the others start elsewhere
     }
   }
 
-  std::size_t size() const { return points.size(); }
+  const Point_3& start_of(std::size_t site) const
+  {
+    return start.empty() ? reference[site] : start[site];
+  }
+
+  std::size_t size() const { return reference.size(); }
 
 private:
   struct Entry {
@@ -115,7 +119,7 @@ private:
   /// Sorts by coordinates, which brings duplicates together and forgets the order of the input.
   template <typename ConcurrencyTag>
   static std::vector<Entry> sorted_entries(ConcurrencyTag, const std::vector<Point_3>& input,
-                                           const std::vector<Point_3>& start)
+                                           const std::vector<Point_3>& from)
   {
     std::vector<Entry> entries;
     entries.reserve(input.size());
@@ -127,9 +131,9 @@ private:
         return p.x() < q.x();
       if (p.y() != q.y())
         return p.y() < q.y();
-      if (p.z() != q.z() || start.empty())
+      if (p.z() != q.z() || from.empty())
         return p.z() < q.z();
-      return start[a.index] < start[b.index];
+      return from[a.index] < from[b.index];
     };
 #ifdef CGAL_LINKED_WITH_TBB
     if constexpr (std::is_convertible<ConcurrencyTag, Parallel_tag>::value)

@@ -3,16 +3,11 @@
 #define CGAL_BALANCED_FLOW_INTERNAL_RUN_FLOW_H
 
 #include <CGAL/Balanced_flow/Covariance_curvature.h>
-#include <CGAL/Balanced_flow/internal/Options.h>
-#include <CGAL/Balanced_flow/internal/find_scale.h>
+#include <CGAL/Balanced_flow/internal/Flow_plan.h>
 #include <CGAL/Balanced_flow/internal/flow_step.h>
-#include <CGAL/Balanced_flow/internal/local_noise.h>
-#include <CGAL/Balanced_flow/internal/model_traits.h>
-#include <CGAL/Balanced_flow/internal/prefilter.h>
-#include <CGAL/Balanced_flow/internal/tangent_planes.h>
 #include <CGAL/Balanced_flow/internal/thin_parts.h>
 
-#include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <vector>
 
@@ -20,175 +15,117 @@ namespace CGAL {
 namespace Point_set_flow {
 namespace internal {
 
-/// What the stages cost relative to each other, for the progress.
-namespace work {
-constexpr double order = 2., scale = .5, noise = .5, graph = 6., prefilter = 1., planes = 1.,
-                 thin_parts = 2., shrink = .5, step = 2.;
-
-/// \param uses_normals whether the estimator does
-/// \param prefiltered whether the flow is, and the estimator does not use normals
-/// \param outputs how many of normals and feature strength are wanted
-inline double total(unsigned int number_of_iterations, bool uses_normals, bool prefiltered,
-                    int outputs)
-{
-  const double before = uses_normals ? planes : prefiltered ? prefilter + planes : 0.;
-  return order + scale + graph + (uses_normals ? noise + thin_parts + shrink : 0.) +
-         number_of_iterations * (before + step) + outputs * planes;
-}
-} // namespace work
-
-/// A step that moves the points by less than this share of the noise is the last one, unless the
-/// caller said how many there should be.
-constexpr double negligible_movement = .01;
-
-/// The flow on the private copy of the points (Table 1), from the reference to the result.
+/// The flow on one piece (Table 1), from the reference to the result.
 template <typename ConcurrencyTag, typename Flow, typename Curvature>
 class Flow_run {
-  static constexpr bool uses_normals = Uses_normals<Curvature>::value;
-  // an estimator with normals filters by its weights
-  static constexpr bool prefiltered = Uses_prefilter<Flow>::value && !uses_normals;
+  typedef Flow_plan<Flow, Curvature> Plan;
+  static constexpr bool uses_normals = Plan::uses_normals, prefiltered = Plan::prefiltered;
 
-  Point_buffer& m_buffer;
+  const Plan& m_plan;
+  Piece& m_piece;
   const Flow& m_flow;
   const Curvature& m_curvature;
-  const Options& m_options;
   Progress& m_progress;
-  double m_unit;
-  Curvature_defaults m_defaults = Defaults_of<Curvature>::get();
-  unsigned int m_number_of_iterations;
-  double m_filter_width, m_step_length, m_sharpness_angle;
-  double m_noise = 0.;
+  double m_unit, m_share;
   Surface_state m_state;
-  Neighbor_graph m_graph;
+  std::vector<Point_3> m_before; // the last step
 
 public:
-  /// \param unit the length of 1 in the buffer, in the unit of the data
-  Flow_run(Point_buffer& buffer, const Flow& flow, const Curvature& curvature,
-           const Options& options, double unit, Progress& progress)
-      : m_buffer(buffer), m_flow(flow), m_curvature(curvature), m_options(options),
-        m_progress(progress), m_unit(unit),
-        m_number_of_iterations(
-            options.number_of_iterations.value_or(m_defaults.number_of_iterations)),
-        m_filter_width(options.filter_width.value_or(m_defaults.filter_width)),
-        m_step_length(options.step_length.value_or(m_defaults.step_length)),
-        m_sharpness_angle(options.sharpness_angle.value_or(m_defaults.sharpness_angle)),
-        m_graph(make_graph())
-  {}
+  /// \param unit the length of 1 in the piece, in the unit of the data
+  /// \param share that of the piece in the progress
+  Flow_run(const Plan& plan, Piece& piece, const Flow& flow, const Curvature& curvature,
+           double unit, Progress& progress, double share)
+      : m_plan(plan), m_piece(piece), m_flow(flow), m_curvature(curvature), m_progress(progress),
+        m_unit(unit), m_share(share)
+  {
+    m_state.spacing = plan.noise_map.spacing();
+    if (uses_normals)
+      m_state.noise =
+          plan.noise_map.noise_at(ConcurrencyTag(), piece.reference, progress, share * work::noise);
+  }
 
   /// All steps.
-  /// \return the mean movement of the last one, in the unit of the buffer
-  double operator()()
+  void operator()()
   {
-    const std::size_t n = m_buffer.size();
-    Diffusivity g(m_options.feature_threshold.value_or(0.));
-    std::vector<Point_3> filtered(prefiltered ? n : 0), next(n);
-    std::vector<Vector_3> normals(uses_normals ? n : 0);
+    const std::size_t n = m_piece.points.size();
     std::vector<double> variation(n);
-    double moved = 0.;
+    std::vector<Point_3> filtered;
+    for (unsigned int t = 0; t < m_plan.number_of_iterations; ++t) {
+      if (m_plan.update_period != 0 && t != 0 && t % m_plan.update_period == 0)
+        m_piece.reference = m_piece.points; // section 3.2
+      m_state.time = t == 0 ? 0. : t / (m_plan.number_of_iterations - 1.);
 
-    for (unsigned int t = 0; t < m_number_of_iterations; ++t) {
-      if (m_options.update_period != 0 && t != 0 && t % m_options.update_period == 0)
-        m_buffer.reference = m_buffer.points; // section 3.2
-      m_state.time = m_number_of_iterations > 1 ? t / (m_number_of_iterations - 1.) : 0.;
-
-      const bool choose_threshold = t == 0 && !m_options.feature_threshold;
-      if (prefiltered)
-        prefilter<ConcurrencyTag>(m_buffer.points, m_graph, m_filter_width, filtered, m_progress,
-                                  work::prefilter);
-      if (prefiltered || uses_normals || choose_threshold)
-        find_tangent_planes<ConcurrencyTag>(
-            prefiltered ? filtered : m_buffer.points, m_graph, m_filter_width, m_state, m_curvature,
-            uses_normals ? &normals : nullptr, variation, m_progress, work::planes);
-      if (uses_normals) {
-        m_state.normals.resize(n);
+      if (prefiltered) {
+        filtered.resize(n);
+        prefilter<ConcurrencyTag>(m_piece.points, m_piece.graph, m_plan.filter_width, filtered,
+                                  m_progress, m_share * work::prefilter);
+      }
+      if (prefiltered || uses_normals) {
+        std::vector<Vector_3> normals(uses_normals ? n : 0);
+        find_tangent_planes<ConcurrencyTag>(prefiltered ? filtered : m_piece.points, m_piece.graph,
+                                            m_plan.filter_width, m_state, m_curvature,
+                                            uses_normals ? &normals : nullptr, variation,
+                                            m_progress, m_share * work::planes);
         m_state.normals.swap(normals);
       }
       if (uses_normals && t == 0)
         adapt_neighborhoods();
-      if (choose_threshold)
-        g = automatic_diffusivity(variation);
 
-      moved = flow_step<ConcurrencyTag>(m_buffer, m_graph, m_filter_width, m_state, m_curvature,
-                                        prefiltered || uses_normals ? &variation : nullptr, m_flow,
-                                        g, m_step_length, m_unit, next, m_progress, work::step);
-      m_buffer.points.swap(next);
-      if (!m_options.number_of_iterations && moved < negligible_movement * m_noise)
+      m_before.resize(n);
+      m_before.swap(m_piece.points);
+      flow_step<ConcurrencyTag>(m_before, m_piece, m_plan.filter_width, m_state, m_curvature,
+                                prefiltered || uses_normals ? &variation : nullptr, m_flow,
+                                m_plan.diffusivity, m_plan.step_length, m_unit, m_progress,
+                                m_share * work::step);
+      if (m_before == m_piece.points) // nothing moves any more
         break;
     }
-    return moved;
+  }
+
+  /// How far a point of the piece moved in the last step
+  double moved(std::size_t i) const
+  {
+    return m_before.empty() ? 0. : std::sqrt(squared_distance(m_piece.points[i], m_before[i]));
   }
 
   /// The normals of the points where they are now; null vectors where there are less than two
   /// neighbours, and so no plane.
   std::vector<Vector_3> find_normals()
   {
-    std::vector<Vector_3> normals(m_buffer.size());
-    std::vector<double> variation(m_buffer.size());
+    std::vector<Vector_3> normals(m_piece.points.size());
+    std::vector<double> variation(m_piece.points.size());
     // Without the noise, nearer neighbours tell more, and the strict weights of the last step
     // would only hold on to the normals of the step before.
-    const double width = uses_normals ? .5 * m_filter_width : m_filter_width;
+    const double width = uses_normals ? .5 * m_plan.filter_width : m_plan.filter_width;
     m_state.time = 0.;
-    find_tangent_planes<ConcurrencyTag>(m_buffer.points, m_graph, width, m_state, m_curvature,
-                                        &normals, variation, m_progress, work::planes);
+    find_tangent_planes<ConcurrencyTag>(m_piece.points, m_piece.graph, width, m_state, m_curvature,
+                                        &normals, variation, m_progress, m_share * work::planes);
     return normals;
   }
 
-  /// \f$1 - g\f$ of the surface variation, Eq. (2), of the points where they are now
+  /// \f$1 - g\f$ of the surface variation, Eq. (2), of the points where they are now, with g 1/2 at
+  /// a crease of the sharpness angle if the caller gave no K
   std::vector<double> find_feature_strength()
   {
-    std::vector<double> strength(m_buffer.size());
-    find_tangent_planes<ConcurrencyTag>(m_buffer.points, m_graph, m_filter_width, m_state,
+    std::vector<double> strength(m_piece.points.size());
+    find_tangent_planes<ConcurrencyTag>(m_piece.points, m_piece.graph, m_plan.filter_width, m_state,
                                         Covariance_curvature(), nullptr, strength, m_progress,
-                                        work::planes);
-    const Diffusivity g = m_options.feature_threshold
-                              ? Diffusivity(*m_options.feature_threshold)
-                              : Diffusivity::half_at(crease_variation(m_sharpness_angle));
+                                        m_share * work::planes);
     for (double& x : strength)
-      x = 1. - g(x);
+      x = 1. - m_plan.without_noise(x);
     return strength;
   }
 
 private:
-  /// The neighbourhoods in the reference, which serve the whole run: the start may be anything.
-  Neighbor_graph make_graph()
-  {
-    const ConcurrencyTag tag = ConcurrencyTag();
-    const Neighbor_tree tree(tag, m_buffer.reference);
-    const Sampled_scale scale = find_scale(tag, tree, m_progress, work::scale);
-    m_noise = scale.noise;
-    m_state.spacing = scale.spacing;
-    double largest = m_noise;
-    if (uses_normals) {
-      m_state.noise = local_noise(tag, m_buffer.reference, scale, m_progress, work::noise);
-      for (const double noise : m_state.noise)
-        largest = (std::max)(largest, noise);
-    }
-    const double ratio = scale.spacing > 0. ? largest / scale.spacing : 0.;
-    const unsigned int suited = neighborhood_size(m_defaults, ratio);
-    const unsigned int k = m_options.k.value_or(suited);
-    // of too few neighbours each one counts, near or not
-    if (uses_normals && !m_options.filter_width && k < suited)
-      m_filter_width *= double(suited) / k;
-    return Neighbor_graph(tag, tree, k, m_options.neighbor_radius, m_progress, work::graph);
-  }
-
   /// To thin parts and to noise that is not everywhere the same
   void adapt_neighborhoods()
   {
-    const std::vector<std::uint32_t> sizes =
-        find_thin_parts<ConcurrencyTag>(m_buffer.points, m_graph, m_filter_width, m_defaults,
-                                        m_state, m_progress, work::thin_parts);
-    if (!m_options.k)
-      m_graph.template shrink<ConcurrencyTag>(m_buffer.reference, sizes, m_progress, work::shrink);
-  }
-
-  /// The diffusivity where the caller gave no K: 1/2 at a crease of the sharpness angle, but not
-  /// below what the noise alone makes of a typical point.
-  Diffusivity automatic_diffusivity(std::vector<double> variation) const
-  {
-    constexpr double above_noise = 2.;
-    return Diffusivity::half_at(
-        (std::max)(crease_variation(m_sharpness_angle), above_noise * median(variation)));
+    const std::vector<std::uint32_t> sizes = find_thin_parts<ConcurrencyTag>(
+        m_piece.points, m_piece.graph, m_plan.filter_width, m_plan.defaults, m_state, m_progress,
+        m_share * work::thin_parts);
+    if (!m_plan.is_k_given)
+      m_piece.graph.template shrink<ConcurrencyTag>(m_piece.reference, sizes, m_progress,
+                                                    m_share * work::shrink);
   }
 };
 

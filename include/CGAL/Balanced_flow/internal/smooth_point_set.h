@@ -8,7 +8,7 @@
 #include <CGAL/Balanced_flow/internal/Point_buffer.h>
 #include <CGAL/Balanced_flow/internal/copy_in.h>
 #include <CGAL/Balanced_flow/internal/copy_out.h>
-#include <CGAL/Balanced_flow/internal/run_flow.h>
+#include <CGAL/Balanced_flow/internal/run_pieces.h>
 #include <CGAL/Balanced_flow/parameters.h>
 #include <CGAL/boost/graph/named_params_helper.h>
 #include <CGAL/property_map.h>
@@ -62,6 +62,8 @@ Options read_options(const std::optional<unsigned int>& k, const NamedParameters
     options.step_length = to_double(parameters::get_parameter(np, internal_np::step_length_t()));
   options.update_period = to_count(
       "update_period", value_of(np, internal_np::update_period_t(), options.update_period));
+  options.block_size =
+      to_count("block_size", value_of(np, internal_np::block_size_t(), options.block_size));
   options.check();
   return options;
 }
@@ -125,14 +127,7 @@ double smooth_point_set(PointRange& points, const std::optional<unsigned int>& k
 
   if (points.begin() == points.end())
     return 0.;
-  std::vector<Point_3> input = copy_in<Kernel_point_3>(points, point_map, "points"), start;
-  const Frame frame = find_frame(input);
-  move_to_core(input, frame);
-  if constexpr (is_given<NamedParameters, internal_np::initial_point_map_t>) {
-    const auto start_map = parameters::get_parameter(np, internal_np::initial_point_map_t());
-    start = copy_in<Kernel_point_3>(points, start_map, "initial_point_map");
-    move_to_core(start, frame);
-  }
+  Frame frame;
   std::vector<char> fixed;
   if constexpr (is_given<NamedParameters, CGAL::internal_np::point_is_constrained_t>) {
     const auto map = parameters::get_parameter(np, CGAL::internal_np::point_is_constrained);
@@ -143,37 +138,43 @@ double smooth_point_set(PointRange& points, const std::optional<unsigned int>& k
   try {
     typedef std::decay_t<decltype(flow)> Flow;
     typedef std::decay_t<decltype(curvature)> Curvature;
-    constexpr bool with_normals = Uses_normals<Curvature>::value;
+    typedef Flow_plan<Flow, Curvature> Plan;
     constexpr bool with_strength = is_given<NamedParameters, internal_np::feature_strength_map_t>;
     const unsigned int steps =
         options.number_of_iterations.value_or(Defaults_of<Curvature>::get().number_of_iterations);
-    Progress progress(callback, work::total(steps, with_normals, Uses_prefilter<Flow>::value,
+    Progress progress(callback, work::total(steps, Plan::uses_normals, Plan::prefiltered,
                                             int(normal_map.has_value()) + int(with_strength)));
     progress.advance(0.);
-    Point_buffer buffer(ConcurrencyTag(), input, start, fixed);
-    progress.advance(work::order);
-    Options scaled = options;
-    scaled.neighbor_radius /= frame.unit;
-    Flow_run<ConcurrencyTag, Flow, Curvature> run(buffer, flow, curvature, scaled, frame.unit,
-                                                  progress);
-    const double moved = run();
+
+    std::vector<std::uint32_t> site_of;
+    const Flow_result result = [&] {
+      std::vector<Point_3> input = copy_in<Kernel_point_3>(points, point_map, "points"), start;
+      frame = find_frame(input);
+      move_to_core(input, frame);
+      if constexpr (is_given<NamedParameters, internal_np::initial_point_map_t>) {
+        const auto start_map = parameters::get_parameter(np, internal_np::initial_point_map_t());
+        start = copy_in<Kernel_point_3>(points, start_map, "initial_point_map");
+        move_to_core(start, frame);
+      }
+      Point_buffer buffer(ConcurrencyTag(), input, start, fixed);
+      input = start = std::vector<Point_3>(); // memory
+      site_of.swap(buffer.site_of);
+      progress.advance(work::order);
+      return run_pieces(ConcurrencyTag(), buffer, flow, curvature, options, frame.unit,
+                        {normal_map.has_value(), with_strength}, progress);
+    }();
 
     std::vector<Kernel_vector_3> new_normals;
     if (normal_map) {
-      const std::vector<Vector_3> normals = run.find_normals();
       std::size_t i = 0;
       for (auto it = points.begin(); it != points.end(); ++it, ++i) {
         const Kernel_vector_3& given = get(*normal_map, *it);
         const Vector_3 n = oriented_normal(
-            normals[buffer.site_of[i]],
+            result.normals[site_of[i]],
             Vector_3(to_double(given.x()), to_double(given.y()), to_double(given.z())));
         new_normals.push_back(Kernel_vector_3(FT(n.x()), FT(n.y()), FT(n.z())));
       }
     }
-
-    std::vector<double> strength;
-    if constexpr (with_strength)
-      strength = run.find_feature_strength();
 
     std::vector<Kernel_point_3> new_points;
     std::size_t i = 0;
@@ -181,7 +182,9 @@ double smooth_point_set(PointRange& points, const std::optional<unsigned int>& k
       // adding the movement, rather than going back from the frame, keeps all digits of points
       // that do not move
       const Kernel_point_3& p = get(point_map, *it);
-      const Vector_3 d = (buffer.points[buffer.site_of[i]] - input[i]) * frame.unit;
+      const Point_3 before =
+          frame.to_core(Point_3(to_double(p.x()), to_double(p.y()), to_double(p.z())));
+      const Vector_3 d = (result.points[site_of[i]] - before) * frame.unit;
       if (!(std::isfinite(d.x()) && std::isfinite(d.y()) && std::isfinite(d.z())))
         throw std::overflow_error(
             "CGAL::balanced_flow_smooth_point_set: the flow diverges at points[" +
@@ -200,13 +203,13 @@ double smooth_point_set(PointRange& points, const std::optional<unsigned int>& k
         const auto map = parameters::get_parameter(np, internal_np::feature_strength_map_t());
         typedef typename boost::property_traits<std::decay_t<decltype(map)>>::value_type Number;
         std::vector<Number> values;
-        for (const std::uint32_t site : buffer.site_of)
-          values.push_back(static_cast<Number>(strength[site]));
+        for (const std::uint32_t site : site_of)
+          values.push_back(static_cast<Number>(result.feature_strength[site]));
         exchange_values(points, map, values);
       }
     };
     write_all(write_points, write_normals, write_strength);
-    return moved * frame.unit;
+    return result.moved * frame.unit;
   }
   catch (const Cancelled&) {
     return (std::numeric_limits<double>::quiet_NaN)();
