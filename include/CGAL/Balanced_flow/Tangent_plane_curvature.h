@@ -91,7 +91,7 @@ private:
   // in multiples of the noise
   static constexpr double residual_width = 1.8, slab_width = 1.5;
   // weights of neighbours, each of which weighs 1 at most
-  static constexpr double weight_before = .2, few = .001;
+  static constexpr double weight_before = .05, few = .001;
   // the exponent of what is too far off to count
   static constexpr double farthest = 7.;
 
