@@ -53,6 +53,7 @@ public:
     for (unsigned int t = 0; t < m_plan.number_of_iterations; ++t) {
       if (m_plan.update_period != 0 && t != 0 && t % m_plan.update_period == 0)
         m_piece.reference = m_piece.points; // section 3.2
+      m_before = std::vector<Point_3>(); // memory: there are new normals first
       m_state.time = t == 0 ? 0. : t / (m_plan.number_of_iterations - 1.);
 
       if (prefiltered) {
