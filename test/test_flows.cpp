@@ -268,3 +268,23 @@ BOOST_AUTO_TEST_CASE(users_bring_their_own_flow_and_curvature)
       points, 10, np::curvature(Umbrella()).flow(Curvature_flow()).number_of_iterations(3));
   BOOST_TEST(roughness(points) < .7 * roughness(noisy));
 }
+
+BOOST_AUTO_TEST_CASE(the_mean_movement_of_the_last_step_is_returned_in_the_unit_of_the_data)
+{
+  // this estimator does the same in all steps, however many there are
+  const Points noisy = shapes::noisy_cube();
+  Points before = noisy, after = noisy;
+  CGAL::balanced_flow_smooth_point_set<CGAL::Sequential_tag>(
+      before, 20, np::curvature(Covariance_curvature()).number_of_iterations(4));
+  const double moved = CGAL::balanced_flow_smooth_point_set<CGAL::Sequential_tag>(
+      after, 20, np::curvature(Covariance_curvature()).number_of_iterations(5));
+  double mean = 0.;
+  for (std::size_t i = 0; i < noisy.size(); ++i)
+    mean += std::sqrt(CGAL::squared_distance(before[i], after[i])) / double(noisy.size());
+  BOOST_TEST(moved == mean, boost::test_tools::tolerance(1e-9));
+
+  Points none = noisy;
+  BOOST_TEST(CGAL::balanced_flow_smooth_point_set<CGAL::Sequential_tag>(
+                 none, 20, np::number_of_iterations(0)) == 0.);
+  BOOST_TEST((none == noisy));
+}

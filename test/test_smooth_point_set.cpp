@@ -332,26 +332,6 @@ BOOST_AUTO_TEST_CASE(translation_scaling_and_rotation)
   check(Transformation(1., 0., 0., 0., c, -s, 0., s, c), 1e-9);
 }
 
-BOOST_AUTO_TEST_CASE(the_mean_movement_of_the_last_step_is_returned_in_the_unit_of_the_data)
-{
-  // this estimator does the same in all steps, however many there are
-  const Points noisy = noisy_cube();
-  Points before = noisy, after = noisy;
-  CGAL::balanced_flow_smooth_point_set<Sequential>(
-      before, 20, np::curvature(Covariance_curvature()).number_of_iterations(4));
-  const double moved = CGAL::balanced_flow_smooth_point_set<Sequential>(
-      after, 20, np::curvature(Covariance_curvature()).number_of_iterations(5));
-  double mean = 0.;
-  for (std::size_t i = 0; i < noisy.size(); ++i)
-    mean += std::sqrt(CGAL::squared_distance(before[i], after[i])) / double(noisy.size());
-  BOOST_TEST(moved == mean, boost::test_tools::tolerance(1e-9));
-
-  Points none = noisy;
-  BOOST_TEST(CGAL::balanced_flow_smooth_point_set<Sequential>(none, 20,
-                                                              np::number_of_iterations(0)) == 0.);
-  BOOST_TEST((none == noisy));
-}
-
 // ---- normals and constraints
 
 BOOST_AUTO_TEST_CASE(normals_are_right_and_keep_their_side)
