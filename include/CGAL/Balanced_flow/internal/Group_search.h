@@ -63,7 +63,7 @@ public:
     const std::vector<Point_3>& points = m_tree.points();
     while (first != last) {
       if (m_radius < 0.)
-        m_radius = first_radius(*first);
+        m_radius = radius_of(*first);
       // a group ends where the next point is not near: its box is to be small
       Iterator end = first;
       m_low = m_high = coordinates(points[*first]);
@@ -72,21 +72,25 @@ public:
           break;
       collect(1.1 * m_radius);
       double largest = 0.;
-      for (; first != end; ++first) {
-        choose(*first);
+      bool enough = true;
+      for (; enough && first != end; ++first) {
+        enough = choose(*first);
+        if (!enough)
+          choose_alone(*first);
         visit(m_found, m_radius);
         largest = (std::max)(largest, m_radius);
       }
-      m_radius = largest;
+      // a point far from the others says nothing about those that follow
+      m_radius = enough ? largest : -1.;
     }
   }
 
 private:
   static std::array<double, 3> coordinates(const Point_3& p) { return {{p.x(), p.y(), p.z()}}; }
 
-  double first_radius(std::size_t i) const
+  double radius_of(std::size_t i) const
   {
-    Neighbor_tree::Query query(m_tree, m_k);
+    Neighbor_tree::Query query(m_tree, m_k); // exact, and slow
     const std::vector<Neighbor_tree::Neighbor>& found = query(i);
     return found.empty() ? 0. : std::sqrt(found.back().squared_distance);
   }
@@ -157,25 +161,31 @@ private:
     m_count = count;
   }
 
-  /// Chooses the nearest of what is collected, and collects more if that is not enough.
-  void choose(std::size_t i)
+  /// Chooses the nearest of what is collected.
+  /// \return whether that is enough
+  bool choose(std::size_t i)
   {
     const Point_3& p = m_tree.points()[i];
-    for (;;) {
-      const Eigen::Index n = Eigen::Index(m_count);
-      m_squared_distance.head(n) = (m_x.head(n) - p.x()).square() + (m_y.head(n) - p.y()).square() +
-                                   (m_z.head(n) - p.z()).square();
-      // most have as many neighbours in a ball a little larger than that of the point before
-      const double likely = 1.15 * m_radius;
-      if (likely < m_reach && gather(likely * likely) >= m_k)
-        break;
-      // nothing farther than m_reach is known
-      if (gather(m_reach * m_reach) >= m_k || m_reach >= m_largest ||
-          m_count >= m_tree.points().size())
-        break;
-      collect(2. * m_reach + (std::numeric_limits<double>::min)());
-    }
+    const Eigen::Index n = Eigen::Index(m_count);
+    m_squared_distance.head(n) = (m_x.head(n) - p.x()).square() + (m_y.head(n) - p.y()).square() +
+                                 (m_z.head(n) - p.z()).square();
+    // most have as many neighbours in a ball a little larger than that of the point before; nothing
+    // farther than m_reach is known
+    const double likely = 1.15 * m_radius;
+    if (!(likely < m_reach && gather(likely * likely) >= m_k) && gather(m_reach * m_reach) < m_k &&
+        m_reach < m_largest && m_count < m_tree.points().size())
+      return false;
     keep_nearest(i);
+    return true;
+  }
+
+  /// Collects what one point needs, and chooses from that.
+  void choose_alone(std::size_t i)
+  {
+    m_low = m_high = coordinates(m_tree.points()[i]);
+    m_radius = radius_of(i);
+    collect(m_radius * (1. + 1e-12) + (std::numeric_limits<double>::min)()); // rounding
+    choose(i);
   }
 
   /// Gathers those that are not farther.
