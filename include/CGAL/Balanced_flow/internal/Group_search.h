@@ -98,7 +98,7 @@ private:
   bool grow_box(const std::array<double, 3>& p)
   {
     std::array<double, 3> low = m_low, high = m_high;
-    for (int d = 0; d < 3; ++d) {
+    for (std::size_t d = 0; d < 3; ++d) {
       low[d] = (std::min)(low[d], p[d]);
       high[d] = (std::max)(high[d], p[d]);
       if (high[d] - low[d] > 2. * m_radius)
