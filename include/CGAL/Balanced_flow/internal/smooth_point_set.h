@@ -157,7 +157,8 @@ double smooth_point_set(PointRange& points, const std::optional<unsigned int>& k
         move_to_core(start, frame);
       }
       Point_buffer buffer(ConcurrencyTag(), input, start, fixed);
-      input = start = std::vector<Point_3>(); // memory
+      input = std::vector<Point_3>(); // memory
+      start = std::vector<Point_3>();
       site_of.swap(buffer.site_of);
       progress.advance(work::order);
       return run_pieces(ConcurrencyTag(), buffer, flow, curvature, options, frame.unit,
