@@ -3,7 +3,7 @@
 # Makes the tables of speed and memory of the manual, and its plot, from runs on this machine, which
 # should have nothing else to do for about half an hour: measure_speed.sh BENCHMARK_SPEED FOLDER
 set -eu
-run=$1
+run=$(realpath "$1")
 mkdir -p "$2"
 cd "$2"
 # one pass of each peer, and the neighbour graphs
