@@ -11,7 +11,7 @@ cmake --preset release -D BALANCED_FLOW_BUILD_TESTS=OFF
 cmake --build build/release --parallel 2 --target smooth_point_set reconstruction_example
 
 mkdir -p build/scan
-scan=build/release/libcgal-demo/data/points_3/hippo1.ply
+scan=build/release/libcgal-demo/data/points_3/building.ply
 programs=build/release/examples
 echo "== smoothing $scan"
 $programs/smooth_point_set "$scan" build/scan/smoothed.ply
@@ -20,7 +20,7 @@ $programs/reconstruction_example "$scan" build/scan/before.off --raw
 $programs/reconstruction_example "$scan" build/scan/after.off
 for which in before after; do
   xvfb-run -a f3d build/scan/$which.off --output build/scan/$which.png --quiet --resolution 1000,700 \
-    --camera-view-angle 19 --color 0.75,0.72,0.66
+    --camera-view-angle 12 --up +Z --color 0.75,0.72,0.66
 done
 montage -font DejaVu-Sans -pointsize 28 -label 'raw scan' build/scan/before.png -label 'smoothed' build/scan/after.png \
   -tile 2x1 -geometry +4+4 build/scan/before_after.png
