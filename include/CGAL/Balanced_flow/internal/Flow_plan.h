@@ -22,7 +22,7 @@ namespace internal {
 
 /// What the stages cost relative to each other, for the progress.
 namespace work {
-constexpr double order = 2., scale = .5, noise = .5, graph = 6., prefilter = 1., planes = 1.,
+constexpr double order = 2., tree = 2., scale = .5, noise = .5, graph = 6., prefilter = 1., planes = 1.,
                  thin_parts = 2., shrink = .5, step = 1.;
 
 /// \param uses_normals whether the estimator does
@@ -32,7 +32,7 @@ inline double total(unsigned int number_of_iterations, bool uses_normals, bool p
                     int outputs)
 {
   const double before = uses_normals ? planes : prefiltered ? prefilter + planes : 0.;
-  return order + scale + graph + (uses_normals ? noise + thin_parts + shrink : 0.) +
+  return order + tree + scale + graph + (uses_normals ? noise + thin_parts + shrink : 0.) +
          number_of_iterations * (before + step) + outputs * planes;
 }
 } // namespace work
@@ -47,7 +47,7 @@ public:
 
   const Curvature_defaults defaults = Defaults_of<Curvature>::get();
   const unsigned int number_of_iterations, update_period;
-  const double step_length, sharpness_angle;
+  const double step_length;
   const bool is_k_given;
   double filter_width;
   Search_options search;
@@ -61,7 +61,6 @@ public:
       : number_of_iterations(options.number_of_iterations.value_or(defaults.number_of_iterations)),
         update_period(options.update_period),
         step_length(options.step_length.value_or(defaults.step_length)),
-        sharpness_angle(options.sharpness_angle.value_or(defaults.sharpness_angle)),
         is_k_given(options.k.has_value()),
         filter_width(options.filter_width.value_or(defaults.filter_width)),
         noise_map(tag, find_scale(tag, tree, progress, work::scale))
@@ -80,7 +79,8 @@ public:
       const double above_noise = 2.; // a feature has more than the noise makes of any point
       const double noise_variation =
           above_noise * typical_variation(tag, buffer, tree, curvature, progress);
-      const double crease = crease_variation(sharpness_angle);
+      const double crease =
+          crease_variation(options.sharpness_angle.value_or(defaults.sharpness_angle));
       diffusivity = Diffusivity::half_at((std::max)(crease, noise_variation));
       without_noise = Diffusivity::half_at(crease);
     }
@@ -101,9 +101,8 @@ private:
                            const Neighbor_tree& tree, const Curvature& curvature,
                            Progress& progress) const
   {
-    const std::vector<std::uint32_t> chosen = sample(buffer.reference);
-    Piece piece =
-        Piece_cutter(buffer, tree, search)(tag, chosen, prefiltered ? 2 : 1, progress, 0.);
+    const std::size_t rings = prefiltered ? 2 : 1;
+    Piece piece = Piece_cutter(buffer, tree, search)(tag, noise_map.samples(), rings, progress, 0.);
     Surface_state state;
     state.spacing = noise_map.spacing();
     if (uses_normals)

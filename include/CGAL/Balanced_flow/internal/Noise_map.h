@@ -43,6 +43,8 @@ public:
     }
   }
 
+  /// the sites of the samples
+  const std::vector<std::uint32_t>& samples() const { return m_scale.sites; }
   double noise() const { return m_scale.noise; }
   double spacing() const { return m_scale.spacing; }
 

@@ -79,8 +79,10 @@ inline std::vector<std::uint32_t> sample(const std::vector<Point_3>& points)
 /// The noise and the spacing of a point set, and the noise at some of its points.
 struct Sampled_scale {
   double noise = 0., spacing = 0.;
+  std::vector<std::uint32_t> sites; // the samples
+  // where they are, and the noise there; empty where there are too few points for quadrics
   std::vector<Point_3> points;
-  std::vector<double> noises; // at these points
+  std::vector<double> noises;
 };
 
 /// Finds the noise and the spacing of a point set.
@@ -89,13 +91,14 @@ Sampled_scale find_scale(ConcurrencyTag, const Neighbor_tree& tree, Progress& pr
 {
   Sampled_scale scale;
   const std::vector<Point_3>& points = tree.points();
+  scale.sites = sample(points);
   std::vector<std::size_t> sizes = {12, 24, 48, 96, 192};
   while (!sizes.empty() && sizes.back() >= points.size())
     sizes.pop_back();
   if (sizes.empty())
     return scale;
 
-  const std::vector<std::uint32_t> chosen = sample(points);
+  const std::vector<std::uint32_t>& chosen = scale.sites;
   std::vector<std::vector<double>> noises(sizes.size(), std::vector<double>(chosen.size()));
   std::vector<std::vector<double>> radii = noises;
   const auto measure = [&](std::size_t begin, std::size_t end) {

@@ -156,11 +156,10 @@ double smooth_point_set(PointRange& points, const std::optional<unsigned int>& k
         start = copy_in<Kernel_point_3>(points, start_map, "initial_point_map");
         move_to_core(start, frame);
       }
-      Point_buffer buffer(ConcurrencyTag(), input, start, fixed);
+      Point_buffer buffer(ConcurrencyTag(), input, start, fixed, progress, work::order);
       input = std::vector<Point_3>(); // memory
       start = std::vector<Point_3>();
       site_of.swap(buffer.site_of);
-      progress.advance(work::order);
       return run_pieces(ConcurrencyTag(), buffer, flow, curvature, options, frame.unit,
                         {normal_map.has_value(), with_strength}, progress);
     }();
