@@ -17,7 +17,7 @@ namespace shapes {
 typedef CGAL::Simple_cartesian<double> Kernel;
 typedef Kernel::Point_3 Point_3;
 typedef Kernel::Vector_3 Vector_3;
-typedef std::vector<Point_3> Points;
+typedef CGAL::Point_set_flow::internal::Array<Point_3> Points; // what the stages take
 
 /// n points on a sphere around the origin, evenly spread (Fibonacci lattice)
 inline Points sphere(std::size_t n, double radius)

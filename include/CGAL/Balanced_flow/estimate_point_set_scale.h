@@ -46,17 +46,16 @@ Point_set_scale estimate_point_set_scale(const PointRange& points,
                                          const NamedParameters& np = parameters::default_values())
 {
   typedef Point_set_processing_3_np_helper<PointRange, NamedParameters> NP_helper;
-  std::vector<Point_3> copy = internal::copy_in<typename NP_helper::Geom_traits::Point_3>(
+  internal::Array<Point_3> copy = internal::copy_in<typename NP_helper::Geom_traits::Point_3>(
       points, NP_helper::get_const_point_map(points, np), "points");
   if (copy.empty())
     return Point_set_scale();
   const internal::Frame frame = internal::find_frame(copy);
   internal::move_to_core(copy, frame);
-  const internal::Point_buffer buffer(ConcurrencyTag(), copy, {}, {});
-  const internal::Neighbor_tree tree(ConcurrencyTag(), buffer.reference);
   const std::function<bool(double)> no_callback;
   internal::Progress progress(no_callback, 1.);
-
+  const internal::Point_buffer buffer(ConcurrencyTag(), copy, {}, {}, progress, 0.);
+  const internal::Neighbor_tree tree(ConcurrencyTag(), buffer.reference);
   const internal::Sampled_scale found = internal::find_scale(ConcurrencyTag(), tree, progress, 1.);
   const double ratio = found.spacing > 0. ? found.noise / found.spacing : 0.;
   Point_set_scale scale;

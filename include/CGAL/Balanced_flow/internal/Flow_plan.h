@@ -108,11 +108,12 @@ private:
     if (uses_normals)
       state.noise = noise_map.noise_at(tag, piece.reference, progress, 0.);
     if (prefiltered) {
-      std::vector<Point_3> filtered(piece.points.size());
+      Array<Point_3> filtered(piece.points.size());
       prefilter<ConcurrencyTag>(piece.points, piece.graph, filter_width, filtered, progress, 0.);
       piece.points.swap(filtered);
     }
-    std::vector<double> variation(piece.points.size()), of_chosen;
+    Array<double> variation(piece.points.size());
+    std::vector<double> of_chosen;
     find_tangent_planes<ConcurrencyTag>(piece.points, piece.graph, filter_width, state, curvature,
                                         nullptr, variation, progress, 0.);
     for (const std::uint32_t i : piece.core)

@@ -60,7 +60,7 @@ public:
   template <typename Iterator, typename Visit>
   void operator()(Iterator first, Iterator last, const Visit& visit)
   {
-    const std::vector<Point_3>& points = m_tree.points();
+    const Array<Point_3>& points = m_tree.points();
     while (first != last) {
       if (m_radius < 0.)
         m_radius = radius_of(*first);

@@ -3,6 +3,7 @@
 #define CGAL_BALANCED_FLOW_INTERNAL_NEIGHBOR_GRAPH_H
 
 #include <CGAL/Balanced_flow/Neighborhood_3.h>
+#include <CGAL/Balanced_flow/internal/Array.h>
 #include <CGAL/Balanced_flow/internal/Group_search.h>
 #include <CGAL/Balanced_flow/internal/for_each_block.h>
 
@@ -19,9 +20,9 @@ namespace internal {
 /// The nearest neighbours of all points, in one flat array.
 class Neighbor_graph {
   std::size_t m_stride;
-  std::vector<std::uint32_t> m_neighbors; // m_stride entries for each point
-  std::vector<std::uint32_t> m_sizes;     // how many of them count
-  std::vector<double> m_radii;            // the distance of the farthest neighbour
+  Array<std::uint32_t> m_neighbors; // m_stride entries for each point
+  Array<std::uint32_t> m_sizes;     // how many of them count
+  Array<double> m_radii;            // the distance of the farthest neighbour
 
   explicit Neighbor_graph(std::size_t stride) : m_stride(stride) {}
 
@@ -47,11 +48,14 @@ public:
            Progress& progress, double work)
   {
     const std::size_t before = m_radii.size(), count = std::size_t(last - first);
+    if (m_stride == 0) {
+      m_sizes.resize(before + count, 0);
+      m_radii.resize(before + count, 0.);
+      return;
+    }
     m_neighbors.resize((before + count) * m_stride);
     m_sizes.resize(before + count);
     m_radii.resize(before + count);
-    if (m_stride == 0)
-      return;
     for_each_block<ConcurrencyTag>(count, progress, work, [&](std::size_t begin, std::size_t end) {
       Group_search search(tree, m_stride, radius);
       std::size_t i = before + begin;
@@ -88,7 +92,7 @@ public:
   /// \param points where the points are now
   /// \param filter_width the width of the Gaussian in multiples of the neighbourhood radius
   /// \param surface what else is known of the surface around point `i`
-  Neighborhood_3 neighborhood(const std::vector<Point_3>& points, std::size_t i,
+  Neighborhood_3 neighborhood(const Array<Point_3>& points, std::size_t i,
                               double filter_width,
                               const Surface_estimate_3& surface = Surface_estimate_3()) const
   {
@@ -105,7 +109,7 @@ public:
   /// \param points where the points were when the graph was made
   /// \param sizes how many, for each point; more than there are is as many as there are
   template <typename ConcurrencyTag>
-  void shrink(const std::vector<Point_3>& points, const std::vector<std::uint32_t>& sizes,
+  void shrink(const Array<Point_3>& points, const Array<std::uint32_t>& sizes,
               Progress& progress, double work)
   {
     const auto shrink_block = [&](std::size_t begin, std::size_t end) {

@@ -3,6 +3,7 @@
 #define CGAL_BALANCED_FLOW_INTERNAL_NEIGHBOR_TREE_H
 
 #include <CGAL/Balanced_flow/Vector_types.h>
+#include <CGAL/Balanced_flow/internal/Array.h>
 #include <CGAL/Kd_tree.h>
 #include <CGAL/Search_traits_3.h>
 #include <CGAL/Search_traits_adapter.h>
@@ -32,7 +33,7 @@ class Neighbor_tree {
   typedef Median_of_max_spread<Traits> Splitter;
   typedef Kd_tree<Traits, Splitter, Tag_true> Tree;
 
-  const std::vector<Point_3>& m_points;
+  const Array<Point_3>& m_points;
   Tree m_tree;
 
   typedef Tree::Node_const_handle Node;
@@ -75,10 +76,10 @@ public:
   };
 
   template <typename ConcurrencyTag>
-  Neighbor_tree(ConcurrencyTag, const std::vector<Point_3>& points)
+  Neighbor_tree(ConcurrencyTag, const Array<Point_3>& points)
       : m_points(points), m_tree(boost::counting_iterator<std::size_t>(0),
                                  boost::counting_iterator<std::size_t>(points.size()), Splitter(16),
-                                 Traits(make_property_map(points)))
+                                 Traits(Point_map(points.data())))
   {
     if (!points.empty())
       m_tree.build<ConcurrencyTag>();
@@ -87,7 +88,7 @@ public:
   Neighbor_tree(const Neighbor_tree&) = delete;
   Neighbor_tree& operator=(const Neighbor_tree&) = delete;
 
-  const std::vector<Point_3>& points() const { return m_points; }
+  const Array<Point_3>& points() const { return m_points; }
 
   /// Calls `visit(begin, end)` for the indices in each leaf that may have points within a distance of
   /// a box, always in the same order.

@@ -19,8 +19,8 @@ namespace internal {
 /// Points that are smoothed at a time, with their neighbours: all of them, or a block of a large
 /// point set with a halo of those that have a say in what becomes of it.
 struct Piece {
-  std::vector<Point_3> points;    ///< \f$u\f$
-  std::vector<Point_3> reference; ///< \f$I\f$
+  Array<Point_3> points;    ///< \f$u\f$
+  Array<Point_3> reference; ///< \f$I\f$
   std::vector<char> constrained;  ///< empty if no point is
   Neighbor_graph graph;
   std::vector<std::uint32_t> core; ///< the places of the block; empty if all belong to it

@@ -22,8 +22,8 @@ namespace internal {
 /// quadratic; afterwards they move as one.
 class Point_buffer {
 public:
-  std::vector<Point_3> reference;     ///< \f$I\f$
-  std::vector<Point_3> start;         ///< \f$\chi\f$; empty if it is the reference
+  Array<Point_3> reference;     ///< \f$I\f$
+  Array<Point_3> start;         ///< \f$\chi\f$; empty if it is the reference
   std::vector<char> constrained;      ///< empty if no point is
   std::vector<std::uint32_t> site_of; ///< for each input point, where it is above
 
@@ -31,7 +31,7 @@ public:
   /// \param from where the flow starts, Eq. (7b); empty to start at the reference
   /// \param fixed which points must not move; empty if all may
   template <typename ConcurrencyTag>
-  Point_buffer(ConcurrencyTag, const std::vector<Point_3>& input, const std::vector<Point_3>& from,
+  Point_buffer(ConcurrencyTag, const Array<Point_3>& input, const Array<Point_3>& from,
                const std::vector<char>& fixed, Progress& progress, double work)
       : site_of(input.size())
   {

@@ -3,18 +3,15 @@
 #define CGAL_BALANCED_FLOW_INTERNAL_SPATIAL_ORDER_H
 
 #include <CGAL/Balanced_flow/Vector_types.h>
+#include <CGAL/Balanced_flow/internal/Array.h>
 #include <CGAL/Balanced_flow/internal/for_each_block.h>
-
-#ifdef CGAL_LINKED_WITH_TBB
-#include <tbb/parallel_sort.h>
-#endif
+#include <CGAL/Balanced_flow/internal/sort_range.h>
 
 #include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
 #include <tuple>
-#include <type_traits>
 #include <vector>
 
 namespace CGAL {
@@ -34,15 +31,15 @@ class Spatial_order {
     std::uint32_t index;
     bool operator<(const Keyed_index& other) const { return key < other.key; }
   };
-  typedef typename std::vector<Keyed_index>::iterator Iterator;
+  typedef typename Array<Keyed_index>::iterator Iterator;
 
-  const std::vector<Point_3>&m_points, &m_from;
+  const Array<Point_3>&m_points, &m_from;
   Progress& m_progress;
-  std::vector<Keyed_index> m_order;
+  Array<Keyed_index> m_order;
 
 public:
   /// \param from what tells points in the same place apart; empty if nothing does
-  Spatial_order(const std::vector<Point_3>& points, const std::vector<Point_3>& from,
+  Spatial_order(const Array<Point_3>& points, const Array<Point_3>& from,
                 Progress& progress, double work)
       : m_points(points), m_from(from), m_progress(progress), m_order(points.size())
   {
@@ -86,12 +83,7 @@ private:
               it->key |= spread(std::uint64_t((p[int(d)] - low[d]) / extent * last_cell)) << d;
           }
         });
-#ifdef CGAL_LINKED_WITH_TBB
-    if constexpr (std::is_convertible<ConcurrencyTag, Parallel_tag>::value)
-      tbb::parallel_sort(first, last);
-    else
-#endif
-      std::sort(first, last);
+    sort_range<ConcurrencyTag>(first, last);
 
     // the first and the last point are in different cells: this ends
     for (Iterator begin = first; begin != last;) {

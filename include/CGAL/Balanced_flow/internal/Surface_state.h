@@ -3,6 +3,7 @@
 #define CGAL_BALANCED_FLOW_INTERNAL_SURFACE_STATE_H
 
 #include <CGAL/Balanced_flow/Neighborhood_3.h>
+#include <CGAL/Balanced_flow/internal/Array.h>
 
 #include <cstddef>
 #include <vector>
@@ -13,8 +14,8 @@ namespace internal {
 
 /// What is known of the surface besides its points, at one time of the flow.
 struct Surface_state {
-  std::vector<Vector_3> normals; ///< empty before the first tangent planes
-  std::vector<double> noise;     ///< the standard deviation around each point; empty if not needed
+  Array<Vector_3> normals; ///< empty before the first tangent planes
+  Array<double> noise;     ///< the standard deviation around each point; empty if not needed
   double spacing = 0.;
   double time = 0.; ///< 0 in the first step, 1 in the last
 

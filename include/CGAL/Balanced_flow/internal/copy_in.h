@@ -3,6 +3,7 @@
 #define CGAL_BALANCED_FLOW_INTERNAL_COPY_IN_H
 
 #include <CGAL/Balanced_flow/Vector_types.h>
+#include <CGAL/Balanced_flow/internal/Array.h>
 #include <CGAL/Balanced_flow/internal/Options.h>
 #include <CGAL/number_utils.h>
 #include <CGAL/property_map.h>
@@ -36,10 +37,10 @@ struct Frame {
 
 /// Copies points as they are; throws if a coordinate is not finite.
 template <typename Kernel_point_3, typename PointRange, typename PointMap>
-std::vector<Point_3> copy_in(const PointRange& points, PointMap point_map,
+Array<Point_3> copy_in(const PointRange& points, PointMap point_map,
                              const std::string& argument)
 {
-  std::vector<Point_3> copy;
+  Array<Point_3> copy;
   for (auto it = points.begin(); it != points.end(); ++it) {
     const Kernel_point_3& p = get(point_map, *it);
     copy.emplace_back(to_double(p.x()), to_double(p.y()), to_double(p.z()));
@@ -56,7 +57,7 @@ std::vector<Point_3> copy_in(const PointRange& points, PointMap point_map,
 
 /// The frame of points, which are not empty. Its center is the median of each coordinate: a few
 /// points far away, which scanners use for "nothing there", do not cost the others their digits.
-inline Frame find_frame(const std::vector<Point_3>& points)
+inline Frame find_frame(const Array<Point_3>& points)
 {
   Frame frame;
   double extent = 0.;
@@ -78,7 +79,7 @@ inline Frame find_frame(const std::vector<Point_3>& points)
 }
 
 /// Brings a copy into the coordinates of the core.
-inline void move_to_core(std::vector<Point_3>& points, const Frame& frame)
+inline void move_to_core(Array<Point_3>& points, const Frame& frame)
 {
   for (Point_3& p : points)
     p = frame.to_core(p);

@@ -6,6 +6,7 @@
 #include <CGAL/Balanced_flow/internal/Covariance_3.h>
 #include <CGAL/Balanced_flow/internal/Neighbor_tree.h>
 #include <CGAL/Balanced_flow/internal/for_each_block.h>
+#include <CGAL/Balanced_flow/internal/sort_range.h>
 #include <CGAL/number_type_config.h>
 
 #include <Eigen/Dense>
@@ -24,7 +25,7 @@ namespace internal {
 /// The deviation of points from a quadric fitted to them by least squares, with the degrees of
 /// freedom of the quadric taken off: the noise, if the surface is smooth at this size.
 /// \param neighbors the first entry is the point itself
-inline double quadric_residual(const std::vector<Point_3>& points,
+inline double quadric_residual(const Array<Point_3>& points,
                                const std::vector<std::uint32_t>& neighbors, double radius)
 {
   const Neighborhood_3 neighborhood(points.data(), neighbors[0], neighbors.data() + 1,
@@ -57,7 +58,8 @@ inline double median(std::vector<double>& values)
 
 /// About 1,000 points spread evenly over the ranks of the distance to the centroid: the same ones
 /// however the points are moved, turned, scaled or numbered.
-inline std::vector<std::uint32_t> sample(const std::vector<Point_3>& points)
+template <typename ConcurrencyTag>
+std::vector<std::uint32_t> sample(const Array<Point_3>& points)
 {
   Vector_3 mean(0., 0., 0.);
   for (const Point_3& p : points)
@@ -67,7 +69,7 @@ inline std::vector<std::uint32_t> sample(const std::vector<Point_3>& points)
   std::vector<std::pair<double, std::uint32_t>> ranked(points.size());
   for (std::size_t i = 0; i < points.size(); ++i)
     ranked[i] = {squared_distance(points[i], centroid), static_cast<std::uint32_t>(i)};
-  std::sort(ranked.begin(), ranked.end());
+  sort_range<ConcurrencyTag>(ranked.begin(), ranked.end());
 
   const std::size_t count = (std::min)(points.size(), std::size_t(1000));
   std::vector<std::uint32_t> chosen(count);
@@ -81,7 +83,7 @@ struct Sampled_scale {
   double noise = 0., spacing = 0.;
   std::vector<std::uint32_t> sites; // the samples
   // where they are, and the noise there; empty where there are too few points for quadrics
-  std::vector<Point_3> points;
+  Array<Point_3> points;
   std::vector<double> noises;
 };
 
@@ -90,8 +92,8 @@ template <typename ConcurrencyTag>
 Sampled_scale find_scale(ConcurrencyTag, const Neighbor_tree& tree, Progress& progress, double work)
 {
   Sampled_scale scale;
-  const std::vector<Point_3>& points = tree.points();
-  scale.sites = sample(points);
+  const Array<Point_3>& points = tree.points();
+  scale.sites = sample<ConcurrencyTag>(points);
   std::vector<std::size_t> sizes = {12, 24, 48, 96, 192};
   while (!sizes.empty() && sizes.back() >= points.size())
     sizes.pop_back();

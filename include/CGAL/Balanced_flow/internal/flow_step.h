@@ -21,9 +21,9 @@ namespace internal {
 /// \param filtered_variation for each point, or null if the flow does not use it
 /// \param unit the length of 1 in the piece, in the unit of the data, which the flow sees
 template <typename ConcurrencyTag, typename Flow, typename Curvature>
-void flow_step(const std::vector<Point_3>& points, Piece& piece, double filter_width,
+void flow_step(const Array<Point_3>& points, Piece& piece, double filter_width,
                const Surface_state& state, const Curvature& curvature,
-               const std::vector<double>* filtered_variation, const Flow& flow,
+               const Array<double>* filtered_variation, const Flow& flow,
                const Diffusivity& g, double step_length, double unit, Progress& progress,
                double work)
 {

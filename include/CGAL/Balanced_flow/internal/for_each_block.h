@@ -44,7 +44,7 @@ void for_each_block(std::size_t n, Progress& progress, double work, const Body& 
     };
 #ifdef CGAL_LINKED_WITH_TBB
     if constexpr (std::is_convertible<ConcurrencyTag, Parallel_tag>::value)
-      tbb::parallel_for(std::size_t(0), blocks, run_block);
+      tbb::parallel_for(std::size_t(0), blocks, run_block, tbb::simple_partitioner());
     else
 #endif
       for (std::size_t b = 0; b < blocks; ++b)

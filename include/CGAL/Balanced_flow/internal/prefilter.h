@@ -13,8 +13,8 @@ namespace internal {
 /// \f$M_\sigma = G_\sigma \times u\f$, section 2.3 and the first line of the loop in Table 1: each
 /// point becomes the Gaussian-weighted mean of itself and its neighbours.
 template <typename ConcurrencyTag>
-void prefilter(const std::vector<Point_3>& points, const Neighbor_graph& graph, double filter_width,
-               std::vector<Point_3>& filtered, Progress& progress, double work)
+void prefilter(const Array<Point_3>& points, const Neighbor_graph& graph, double filter_width,
+               Array<Point_3>& filtered, Progress& progress, double work)
 {
   const auto filter = [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {

@@ -28,7 +28,7 @@ class Flow_run {
   Progress& m_progress;
   double m_unit, m_share;
   Surface_state m_state;
-  std::vector<Point_3> m_before; // the last step
+  Array<Point_3> m_before; // the last step
 
 public:
   /// \param unit the length of 1 in the piece, in the unit of the data
@@ -48,12 +48,12 @@ public:
   void operator()()
   {
     const std::size_t n = m_piece.points.size();
-    std::vector<double> variation(n);
-    std::vector<Point_3> filtered;
+    Array<double> variation(n);
+    Array<Point_3> filtered;
     for (unsigned int t = 0; t < m_plan.number_of_iterations; ++t) {
       if (m_plan.update_period != 0 && t != 0 && t % m_plan.update_period == 0)
         m_piece.reference = m_piece.points; // section 3.2
-      m_before = std::vector<Point_3>(); // memory: there are new normals first
+      m_before = Array<Point_3>(); // memory: there are new normals first
       m_state.time = t == 0 ? 0. : t / (m_plan.number_of_iterations - 1.);
 
       if (prefiltered) {
@@ -62,7 +62,7 @@ public:
                                   m_progress, m_share * work::prefilter);
       }
       if (prefiltered || uses_normals) {
-        std::vector<Vector_3> normals(uses_normals ? n : 0);
+        Array<Vector_3> normals(uses_normals ? n : 0);
         find_tangent_planes<ConcurrencyTag>(prefiltered ? filtered : m_piece.points, m_piece.graph,
                                             m_plan.filter_width, m_state, m_curvature,
                                             uses_normals ? &normals : nullptr, variation,
@@ -91,10 +91,10 @@ public:
 
   /// The normals of the points where they are now; null vectors where there are less than two
   /// neighbours, and so no plane.
-  std::vector<Vector_3> find_normals()
+  Array<Vector_3> find_normals()
   {
-    std::vector<Vector_3> normals(m_piece.points.size());
-    std::vector<double> variation(m_piece.points.size());
+    Array<Vector_3> normals(m_piece.points.size());
+    Array<double> variation(m_piece.points.size());
     // Without the noise, nearer neighbours tell more, and the strict weights of the last step
     // would only hold on to the normals of the step before.
     const double width = uses_normals ? .5 * m_plan.filter_width : m_plan.filter_width;
@@ -106,9 +106,9 @@ public:
 
   /// \f$1 - g\f$ of the surface variation, Eq. (2), of the points where they are now, with g 1/2 at
   /// a crease of the sharpness angle if the caller gave no K
-  std::vector<double> find_feature_strength()
+  Array<double> find_feature_strength()
   {
-    std::vector<double> strength(m_piece.points.size());
+    Array<double> strength(m_piece.points.size());
     find_tangent_planes<ConcurrencyTag>(m_piece.points, m_piece.graph, m_plan.filter_width, m_state,
                                         Covariance_curvature(), nullptr, strength, m_progress,
                                         m_share * work::planes);
@@ -121,7 +121,7 @@ private:
   /// To thin parts and to noise that is not everywhere the same
   void adapt_neighborhoods()
   {
-    const std::vector<std::uint32_t> sizes = find_thin_parts<ConcurrencyTag>(
+    const Array<std::uint32_t> sizes = find_thin_parts<ConcurrencyTag>(
         m_piece.points, m_piece.graph, m_plan.filter_width, m_plan.defaults, m_state, m_progress,
         m_share * work::thin_parts);
     if (!m_plan.is_k_given)

@@ -18,14 +18,14 @@ namespace internal {
 
 /// What became of the sites of a buffer.
 struct Flow_result {
-  std::vector<Point_3> points;
-  std::vector<Vector_3>
+  Array<Point_3> points;
+  Array<Vector_3>
       normals; ///< empty if they are not wanted; null vectors where there is no plane
-  std::vector<double> feature_strength; ///< empty if it is not wanted
+  Array<double> feature_strength; ///< empty if it is not wanted
   double moved = 0.;                    ///< the mean distance in the last step
 
   template <typename T>
-  static void append(std::vector<T>& to, std::vector<T>&& of_piece, const Piece& piece)
+  static void append(Array<T>& to, Array<T>&& of_piece, const Piece& piece)
   {
     if (piece.core.empty())
       to = std::move(of_piece);

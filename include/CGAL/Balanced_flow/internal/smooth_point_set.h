@@ -148,7 +148,7 @@ double smooth_point_set(PointRange& points, const std::optional<unsigned int>& k
 
     std::vector<std::uint32_t> site_of;
     const Flow_result result = [&] {
-      std::vector<Point_3> input = copy_in<Kernel_point_3>(points, point_map, "points"), start;
+      Array<Point_3> input = copy_in<Kernel_point_3>(points, point_map, "points"), start;
       frame = find_frame(input);
       move_to_core(input, frame);
       if constexpr (is_given<NamedParameters, internal_np::initial_point_map_t>) {
@@ -157,8 +157,8 @@ double smooth_point_set(PointRange& points, const std::optional<unsigned int>& k
         move_to_core(start, frame);
       }
       Point_buffer buffer(ConcurrencyTag(), input, start, fixed, progress, work::order);
-      input = std::vector<Point_3>(); // memory
-      start = std::vector<Point_3>();
+      input = Array<Point_3>(); // memory
+      start = Array<Point_3>();
       site_of.swap(buffer.site_of);
       return run_pieces(ConcurrencyTag(), buffer, flow, curvature, options, frame.unit,
                         {normal_map.has_value(), with_strength}, progress);

@@ -18,10 +18,10 @@ namespace internal {
 /// neighbours have none, and keep the normals that they have.
 /// \param normals receives the normals; null if nobody wants them
 template <typename ConcurrencyTag, typename Curvature>
-void find_tangent_planes(const std::vector<Point_3>& surface, const Neighbor_graph& graph,
+void find_tangent_planes(const Array<Point_3>& surface, const Neighbor_graph& graph,
                          double filter_width, const Surface_state& state,
-                         const Curvature& curvature, std::vector<Vector_3>* normals,
-                         std::vector<double>& variation, Progress& progress, double work)
+                         const Curvature& curvature, Array<Vector_3>* normals,
+                         Array<double>& variation, Progress& progress, double work)
 {
   for_each_block<ConcurrencyTag>(
       surface.size(), progress, work, [&](std::size_t begin, std::size_t end) {

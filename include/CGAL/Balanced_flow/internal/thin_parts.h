@@ -26,11 +26,16 @@ namespace internal {
 
 /// Moments of the distances of a point from the tangent planes of its neighbourhood
 struct Distance_moments {
-  double second = 0., fourth = 0.; // about the mean
+  double second, fourth; // about the mean
+
+  Distance_moments() = default;
 
   /// \param unit the length of 1, to keep fourth powers in the range of `double`
-  Distance_moments(const Neighborhood_3& neighborhood, double unit)
+  Distance_moments(const Neighborhood_3& neighborhood, double unit) : second(0.), fourth(0.)
   {
+    if (neighborhood.size() < 2)
+      return; // no plane
+
     const Angle_weight angle(neighborhood.noise() / neighborhood.spacing(), 0.);
     const double width = neighborhood.gaussian_width();
     const double near = 1. / (2. * width * width + (std::numeric_limits<double>::min)());
@@ -58,16 +63,15 @@ struct Distance_moments {
     fourth = (std::max)(
         sums[4] / sums[0] - 4. * m1 * m3 + 6. * m1 * m1 * m2 - 3. * m1 * m1 * m1 * m1, 0.);
   }
-  Distance_moments() = default;
 };
 
 /// Averages over the neighbours: the kurtosis of one neighbourhood alone is mostly chance.
 template <typename ConcurrencyTag>
-void pool(const Neighbor_graph& graph, std::vector<Distance_moments>& moments, Progress& progress,
+void pool(const Neighbor_graph& graph, Array<Distance_moments>& moments, Progress& progress,
           double work)
 {
   const std::size_t most = 64; // all over the neighbourhood
-  std::vector<Distance_moments> pooled(moments.size());
+  Array<Distance_moments> pooled(moments.size());
   const auto average = [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
       const std::size_t size = graph.size(i), stride = (size + most - 1) / most;
@@ -90,30 +94,28 @@ void pool(const Neighbor_graph& graph, std::vector<Distance_moments>& moments, P
 /// \param state with normals and the noise around each point, which becomes smaller on thin parts
 /// \return the number of neighbours that each point should have
 template <typename ConcurrencyTag>
-std::vector<std::uint32_t> find_thin_parts(const std::vector<Point_3>& points,
+Array<std::uint32_t> find_thin_parts(const Array<Point_3>& points,
                                            const Neighbor_graph& graph, double filter_width,
                                            const Curvature_defaults& defaults, Surface_state& state,
                                            Progress& progress, double work)
 {
-  std::vector<std::uint32_t> sizes(points.size(), static_cast<std::uint32_t>(graph.largest_size()));
+  Array<std::uint32_t> sizes(points.size(), static_cast<std::uint32_t>(graph.largest_size()));
   if (!(state.spacing > 0.))
     return sizes;
   const double unit = state.spacing;
-  std::vector<Distance_moments> moments(points.size());
+  Array<Distance_moments> moments(points.size());
   const auto measure = [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i)
-      if (graph.size(i) >= 2)
-        moments[i] =
-            Distance_moments(graph.neighborhood(points, i, filter_width, state.at(i)), unit);
+      moments[i] = Distance_moments(graph.neighborhood(points, i, filter_width, state.at(i)), unit);
   };
   for_each_block<ConcurrencyTag>(points.size(), progress, .4 * work, measure);
   for (int i = 0; i < 3; ++i)
-    pool<ConcurrencyTag>(graph, moments, progress, .2 * work);
+    pool<ConcurrencyTag>(graph, moments, progress, .15 * work);
 
   // a flat-topped distribution, or a neighbourhood hardly wider than the noise, has a negative
   // excess without having two peaks
   const double chance = .4, certain = .6, few = .4, fewest = 12., clean = .1, noisy = .18;
-  for (std::size_t i = 0; i < points.size(); ++i) {
+  const auto suit = [&](std::size_t i) {
     const double variance = moments[i].second;
     const double excess = variance > 0. ? moments[i].fourth / (variance * variance) - 3. : 0.;
     const auto share = [](double x, double low, double high) {
@@ -131,7 +133,12 @@ std::vector<std::uint32_t> find_thin_parts(const std::vector<Point_3>& points,
     sizes[i] = static_cast<std::uint32_t>(std::round((std::max)(suited, (std::min)(fewest, size))));
     // noise of a tenth of the spacing may as well be the shape between the points
     noise *= share(ratio, clean, noisy);
-  }
+  };
+  for_each_block<ConcurrencyTag>(points.size(), progress, .15 * work,
+                                 [&](std::size_t begin, std::size_t end) {
+                                   for (std::size_t i = begin; i < end; ++i)
+                                     suit(i);
+                                 });
   return sizes;
 }
 
