@@ -18,9 +18,9 @@ inline std::vector<std::pair<std::string, double>> phases_of_a_run()
   using namespace CGAL::Point_set_flow::internal;
   typedef CGAL::Point_set_flow::Tangent_plane_curvature Curvature;
   std::vector<std::pair<std::string, double>> phases = {
-      {"1 copy in, order", work::order}, {"2 tree", work::tree},
-      {"3 scale", work::scale},          {"4 graph", work::graph},
-      {"5 noise map", work::noise},      {"6 tangent planes", work::planes},
+      {"1 copy in, order", work::order},  {"2 tree", work::tree},
+      {"3 scale", work::scale},           {"4 graph", work::graph},
+      {"5 noise map", work::noise},       {"6 tangent planes", work::planes},
       {"7 thin parts", work::thin_parts}, {"8 shrink", work::shrink},
       {"9 flow steps", work::step}};
   for (unsigned int t = 1; t < Defaults_of<Curvature>::get().number_of_iterations; ++t) {

@@ -50,10 +50,10 @@ Point_set_scale estimate_point_set_scale(const PointRange& points,
       points, NP_helper::get_const_point_map(points, np), "points");
   if (copy.empty())
     return Point_set_scale();
-  const internal::Frame frame = internal::find_frame(copy);
-  internal::move_to_core(copy, frame);
   const std::function<bool(double)> no_callback;
   internal::Progress progress(no_callback, 1.);
+  const internal::Frame frame = internal::find_frame(ConcurrencyTag(), copy, progress);
+  internal::move_to_core(copy, frame);
   const internal::Point_buffer buffer(ConcurrencyTag(), copy, {}, {}, progress, 0.);
   const internal::Neighbor_tree tree(ConcurrencyTag(), buffer.reference);
   const internal::Sampled_scale found = internal::find_scale(ConcurrencyTag(), tree, progress, 1.);

@@ -22,8 +22,8 @@ namespace internal {
 
 /// What the stages cost relative to each other, for the progress.
 namespace work {
-constexpr double order = 2., tree = 2., scale = .5, noise = .5, graph = 6., prefilter = 1., planes = 1.,
-                 thin_parts = 2., shrink = .5, step = 1.;
+constexpr double order = 2., tree = 2., scale = .5, noise = .5, graph = 6., prefilter = 1.,
+                 planes = 1., thin_parts = 2., shrink = .5, step = 1.;
 
 /// \param uses_normals whether the estimator does
 /// \param prefiltered whether the flow is, and the estimator does not use normals
@@ -108,14 +108,15 @@ private:
     if (uses_normals)
       state.noise = noise_map.noise_at(tag, piece.reference, progress, 0.);
     if (prefiltered) {
-      Array<Point_3> filtered(piece.points.size());
-      prefilter<ConcurrencyTag>(piece.points, piece.graph, filter_width, filtered, progress, 0.);
+      Array<Point_3> filtered(piece.reference.size());
+      prefilter<ConcurrencyTag>(piece.current_points(), piece.graph, filter_width, filtered,
+                                progress, 0.);
       piece.points.swap(filtered);
     }
-    Array<double> variation(piece.points.size());
+    Array<double> variation(piece.reference.size());
     std::vector<double> of_chosen;
-    find_tangent_planes<ConcurrencyTag>(piece.points, piece.graph, filter_width, state, curvature,
-                                        nullptr, variation, progress, 0.);
+    find_tangent_planes<ConcurrencyTag>(piece.current_points(), piece.graph, filter_width, state,
+                                        curvature, nullptr, variation, progress, 0.);
     for (const std::uint32_t i : piece.core)
       of_chosen.push_back(variation[i]);
     return of_chosen.empty() ? 0. : median(of_chosen);

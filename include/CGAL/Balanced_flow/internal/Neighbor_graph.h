@@ -92,8 +92,7 @@ public:
   /// \param points where the points are now
   /// \param filter_width the width of the Gaussian in multiples of the neighbourhood radius
   /// \param surface what else is known of the surface around point `i`
-  Neighborhood_3 neighborhood(const Array<Point_3>& points, std::size_t i,
-                              double filter_width,
+  Neighborhood_3 neighborhood(const Array<Point_3>& points, std::size_t i, double filter_width,
                               const Surface_estimate_3& surface = Surface_estimate_3()) const
   {
     return Neighborhood_3(points.data(), i, neighbors(i), size(i), m_radii[i], filter_width,
@@ -109,8 +108,8 @@ public:
   /// \param points where the points were when the graph was made
   /// \param sizes how many, for each point; more than there are is as many as there are
   template <typename ConcurrencyTag>
-  void shrink(const Array<Point_3>& points, const Array<std::uint32_t>& sizes,
-              Progress& progress, double work)
+  void shrink(const Array<Point_3>& points, const Array<std::uint32_t>& sizes, Progress& progress,
+              double work)
   {
     const auto shrink_block = [&](std::size_t begin, std::size_t end) {
       std::vector<Neighbor_tree::Neighbor> nearest;

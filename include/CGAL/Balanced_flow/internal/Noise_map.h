@@ -58,15 +58,15 @@ public:
   }
 
   template <typename ConcurrencyTag>
-  Array<double> noise_at(ConcurrencyTag, const Array<Point_3>& points,
-                               Progress& progress, double work) const
+  Array<double> noise_at(ConcurrencyTag, const Array<Point_3>& points, Progress& progress,
+                         double work) const
   {
     Array<double> noise(points.size());
     const auto look_up = [&](std::size_t begin, std::size_t end) {
       Neighbor_tree::Query nearest(m_tree, 1);
       for (std::size_t i = begin; i < end; ++i)
-        noise[i] = m_at_samples.empty() ? m_scale.noise
-                                        : m_at_samples[nearest(points[i]).front().index];
+        noise[i] =
+            m_at_samples.empty() ? m_scale.noise : m_at_samples[nearest(points[i]).front().index];
     };
     for_each_block<ConcurrencyTag>(points.size(), progress, work, look_up);
     return noise;

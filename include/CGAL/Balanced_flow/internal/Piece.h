@@ -19,13 +19,14 @@ namespace internal {
 /// Points that are smoothed at a time, with their neighbours: all of them, or a block of a large
 /// point set with a halo of those that have a say in what becomes of it.
 struct Piece {
-  Array<Point_3> points;    ///< \f$u\f$
-  Array<Point_3> reference; ///< \f$I\f$
-  std::vector<char> constrained;  ///< empty if no point is
+  Array<Point_3> points;         ///< \f$u\f$; empty as long as it is the reference
+  Array<Point_3> reference;      ///< \f$I\f$
+  std::vector<char> constrained; ///< empty if no point is
   Neighbor_graph graph;
   std::vector<std::uint32_t> core; ///< the places of the block; empty if all belong to it
 
-  std::size_t core_size() const { return core.empty() ? points.size() : core.size(); }
+  const Array<Point_3>& current_points() const { return points.empty() ? reference : points; }
+  std::size_t core_size() const { return core.empty() ? reference.size() : core.size(); }
   std::size_t core_place(std::size_t i) const { return core.empty() ? i : core[i]; }
 };
 
@@ -89,7 +90,8 @@ public:
 
     Piece piece = {{}, {}, {}, graph.renumbered(sites, m_place), {}};
     for (const std::uint32_t site : sorted) {
-      piece.points.push_back(m_buffer.start_of(site));
+      if (!m_buffer.start.empty())
+        piece.points.push_back(m_buffer.start[site]);
       piece.reference.push_back(m_buffer.reference[site]);
       if (!m_buffer.constrained.empty())
         piece.constrained.push_back(m_buffer.constrained[site]);
@@ -108,10 +110,11 @@ Piece take_all(ConcurrencyTag tag, Point_buffer& buffer, const Neighbor_tree& tr
                const Search_options& search, Progress& progress, double work)
 {
   Neighbor_graph graph(tag, tree, search.k, search.radius, progress, work);
-  Piece piece = {{}, {}, std::move(buffer.constrained), std::move(graph), {}};
-  piece.points = buffer.start.empty() ? buffer.reference : std::move(buffer.start);
-  piece.reference = std::move(buffer.reference);
-  return piece;
+  return {std::move(buffer.start),
+          std::move(buffer.reference),
+          std::move(buffer.constrained),
+          std::move(graph),
+          {}};
 }
 
 } // namespace internal

@@ -22,8 +22,8 @@ namespace internal {
 /// quadratic; afterwards they move as one.
 class Point_buffer {
 public:
-  Array<Point_3> reference;     ///< \f$I\f$
-  Array<Point_3> start;         ///< \f$\chi\f$; empty if it is the reference
+  Array<Point_3> reference;           ///< \f$I\f$
+  Array<Point_3> start;               ///< \f$\chi\f$; empty if it is the reference
   std::vector<char> constrained;      ///< empty if no point is
   std::vector<std::uint32_t> site_of; ///< for each input point, where it is above
 
@@ -37,20 +37,34 @@ public:
   {
     if (input.size() > (std::numeric_limits<std::uint32_t>::max)())
       throw std::length_error("CGAL::balanced_flow_smooth_point_set: more than 2^32 - 1 points");
-    const Spatial_order<ConcurrencyTag> order(input, from, progress, work);
-    reference.reserve(input.size());
-    for (std::size_t i = 0; i < order.size(); ++i) {
-      const std::uint32_t here = order[i], before = order[i == 0 ? 0 : i - 1];
-      if (i == 0 || input[here] != input[before] || (!from.empty() && from[here] != from[before])) {
-        reference.push_back(input[here]);
+    const Spatial_order<ConcurrencyTag> order(input, from, progress, .5 * work);
+    reference.resize(input.size());
+    start.resize(from.size());
+    const auto gather = [&](std::size_t begin, std::size_t end) {
+      for (std::size_t i = begin; i < end; ++i) {
+        reference[i] = input[order[i]];
         if (!from.empty())
-          start.push_back(from[here]);
+          start[i] = from[order[i]];
       }
-      site_of[here] = static_cast<std::uint32_t>(reference.size() - 1);
+    };
+    for_each_block<ConcurrencyTag>(input.size(), progress, .5 * work, gather);
+
+    std::size_t count = 0;
+    for (std::size_t i = 0; i < input.size(); ++i) {
+      if (i == 0 || reference[i] != reference[count - 1] ||
+          (!from.empty() && start[i] != start[count - 1])) {
+        reference[count] = reference[i];
+        if (!from.empty())
+          start[count] = start[i];
+        ++count;
+      }
+      site_of[order[i]] = static_cast<std::uint32_t>(count - 1);
     }
+    reference.resize(count);
+    start.resize(from.empty() ? 0 : count);
 
     if (!fixed.empty()) {
-      constrained.assign(reference.size(), 0);
+      constrained.assign(count, 0);
       for (std::size_t i = 0; i < fixed.size(); ++i)
         if (fixed[i])
           constrained[site_of[i]] = 1;
@@ -58,11 +72,6 @@ public:
         if (constrained[site])
           start[site] = reference[site]; // also if the others start elsewhere
     }
-  }
-
-  const Point_3& start_of(std::size_t site) const
-  {
-    return start.empty() ? reference[site] : start[site];
   }
 
   std::size_t size() const { return reference.size(); }

@@ -39,8 +39,8 @@ class Spatial_order {
 
 public:
   /// \param from what tells points in the same place apart; empty if nothing does
-  Spatial_order(const Array<Point_3>& points, const Array<Point_3>& from,
-                Progress& progress, double work)
+  Spatial_order(const Array<Point_3>& points, const Array<Point_3>& from, Progress& progress,
+                double work)
       : m_points(points), m_from(from), m_progress(progress), m_order(points.size())
   {
     for (std::size_t i = 0; i < points.size(); ++i)

@@ -5,12 +5,14 @@
 #include <CGAL/Balanced_flow/Vector_types.h>
 #include <CGAL/Balanced_flow/internal/Array.h>
 #include <CGAL/Balanced_flow/internal/Options.h>
+#include <CGAL/Balanced_flow/internal/for_each_block.h>
 #include <CGAL/number_utils.h>
 #include <CGAL/property_map.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <iterator>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -37,10 +39,10 @@ struct Frame {
 
 /// Copies points as they are; throws if a coordinate is not finite.
 template <typename Kernel_point_3, typename PointRange, typename PointMap>
-Array<Point_3> copy_in(const PointRange& points, PointMap point_map,
-                             const std::string& argument)
+Array<Point_3> copy_in(const PointRange& points, PointMap point_map, const std::string& argument)
 {
   Array<Point_3> copy;
+  copy.reserve(std::size_t(std::distance(points.begin(), points.end())));
   for (auto it = points.begin(); it != points.end(); ++it) {
     const Kernel_point_3& p = get(point_map, *it);
     copy.emplace_back(to_double(p.x()), to_double(p.y()), to_double(p.z()));
@@ -57,20 +59,24 @@ Array<Point_3> copy_in(const PointRange& points, PointMap point_map,
 
 /// The frame of points, which are not empty. Its center is the median of each coordinate: a few
 /// points far away, which scanners use for "nothing there", do not cost the others their digits.
-inline Frame find_frame(const Array<Point_3>& points)
+template <typename ConcurrencyTag>
+Frame find_frame(ConcurrencyTag, const Array<Point_3>& points, Progress& progress)
 {
   Frame frame;
-  double extent = 0.;
-  std::vector<double> coordinates(points.size());
-  for (int d = 0; d < 3; ++d) {
+  double extents[3];
+  const auto find = [&](std::size_t d, std::size_t) {
+    Array<double> coordinates(points.size());
     for (std::size_t i = 0; i < points.size(); ++i)
-      coordinates[i] = points[i][d];
+      coordinates[i] = points[i][int(d)];
     const auto middle = coordinates.begin() + std::ptrdiff_t(points.size() / 2);
     std::nth_element(coordinates.begin(), middle, coordinates.end());
     frame.center[d] = *middle;
+    extents[d] = 0.;
     for (const double c : coordinates)
-      extent = (std::max)(extent, std::abs(c / 2. - frame.center[d] / 2.));
-  }
+      extents[d] = (std::max)(extents[d], std::abs(c / 2. - frame.center[d] / 2.));
+  };
+  for_each_block<ConcurrencyTag>(3, progress, 0., find, 1);
+  const double extent = (std::max)({extents[0], extents[1], extents[2]});
   if (extent > 1e140) // not more than it takes to square them
     frame.unit = std::ldexp(1., std::ilogb(extent) - 465);
   else if (extent != 0. && extent < 1e-100)

@@ -23,9 +23,8 @@ namespace internal {
 template <typename ConcurrencyTag, typename Flow, typename Curvature>
 void flow_step(const Array<Point_3>& points, Piece& piece, double filter_width,
                const Surface_state& state, const Curvature& curvature,
-               const Array<double>* filtered_variation, const Flow& flow,
-               const Diffusivity& g, double step_length, double unit, Progress& progress,
-               double work)
+               const Array<double>* filtered_variation, const Flow& flow, const Diffusivity& g,
+               double step_length, double unit, Progress& progress, double work)
 {
   const auto step = [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {

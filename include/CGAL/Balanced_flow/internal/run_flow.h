@@ -47,31 +47,33 @@ public:
   /// All steps.
   void operator()()
   {
-    const std::size_t n = m_piece.points.size();
+    const std::size_t n = m_piece.reference.size();
     Array<double> variation(n);
     Array<Point_3> filtered;
     for (unsigned int t = 0; t < m_plan.number_of_iterations; ++t) {
       if (m_plan.update_period != 0 && t != 0 && t % m_plan.update_period == 0)
         m_piece.reference = m_piece.points; // section 3.2
-      m_before = Array<Point_3>(); // memory: there are new normals first
+      m_before = Array<Point_3>();          // memory: there are new normals first
       m_state.time = t == 0 ? 0. : t / (m_plan.number_of_iterations - 1.);
 
       if (prefiltered) {
         filtered.resize(n);
-        prefilter<ConcurrencyTag>(m_piece.points, m_piece.graph, m_plan.filter_width, filtered,
-                                  m_progress, m_share * work::prefilter);
+        prefilter<ConcurrencyTag>(m_piece.current_points(), m_piece.graph, m_plan.filter_width,
+                                  filtered, m_progress, m_share * work::prefilter);
       }
       if (prefiltered || uses_normals) {
         Array<Vector_3> normals(uses_normals ? n : 0);
-        find_tangent_planes<ConcurrencyTag>(prefiltered ? filtered : m_piece.points, m_piece.graph,
-                                            m_plan.filter_width, m_state, m_curvature,
-                                            uses_normals ? &normals : nullptr, variation,
-                                            m_progress, m_share * work::planes);
+        find_tangent_planes<ConcurrencyTag>(prefiltered ? filtered : m_piece.current_points(),
+                                            m_piece.graph, m_plan.filter_width, m_state,
+                                            m_curvature, uses_normals ? &normals : nullptr,
+                                            variation, m_progress, m_share * work::planes);
         m_state.normals.swap(normals);
       }
       if (uses_normals && t == 0)
         adapt_neighborhoods();
 
+      if (m_piece.points.empty())
+        m_piece.points = m_piece.reference; // memory: not before they are needed
       m_before.resize(n);
       m_before.swap(m_piece.points);
       flow_step<ConcurrencyTag>(m_before, m_piece, m_plan.filter_width, m_state, m_curvature,
@@ -122,8 +124,8 @@ private:
   void adapt_neighborhoods()
   {
     const Array<std::uint32_t> sizes = find_thin_parts<ConcurrencyTag>(
-        m_piece.points, m_piece.graph, m_plan.filter_width, m_plan.defaults, m_state, m_progress,
-        m_share * work::thin_parts);
+        m_piece.current_points(), m_piece.graph, m_plan.filter_width, m_plan.defaults, m_state,
+        m_progress, m_share * work::thin_parts);
     if (!m_plan.is_k_given)
       m_piece.graph.template shrink<ConcurrencyTag>(m_piece.reference, sizes, m_progress,
                                                     m_share * work::shrink);

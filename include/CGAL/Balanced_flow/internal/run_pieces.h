@@ -19,10 +19,9 @@ namespace internal {
 /// What became of the sites of a buffer.
 struct Flow_result {
   Array<Point_3> points;
-  Array<Vector_3>
-      normals; ///< empty if they are not wanted; null vectors where there is no plane
+  Array<Vector_3> normals; ///< empty if they are not wanted; null vectors where there is no plane
   Array<double> feature_strength; ///< empty if it is not wanted
-  double moved = 0.;                    ///< the mean distance in the last step
+  double moved = 0.;              ///< the mean distance in the last step
 
   template <typename T>
   static void append(Array<T>& to, Array<T>&& of_piece, const Piece& piece)

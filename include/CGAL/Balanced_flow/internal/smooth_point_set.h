@@ -149,7 +149,7 @@ double smooth_point_set(PointRange& points, const std::optional<unsigned int>& k
     std::vector<std::uint32_t> site_of;
     const Flow_result result = [&] {
       Array<Point_3> input = copy_in<Kernel_point_3>(points, point_map, "points"), start;
-      frame = find_frame(input);
+      frame = find_frame(ConcurrencyTag(), input, progress);
       move_to_core(input, frame);
       if constexpr (is_given<NamedParameters, internal_np::initial_point_map_t>) {
         const auto start_map = parameters::get_parameter(np, internal_np::initial_point_map_t());

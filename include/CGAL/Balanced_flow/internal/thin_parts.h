@@ -94,10 +94,9 @@ void pool(const Neighbor_graph& graph, Array<Distance_moments>& moments, Progres
 /// \param state with normals and the noise around each point, which becomes smaller on thin parts
 /// \return the number of neighbours that each point should have
 template <typename ConcurrencyTag>
-Array<std::uint32_t> find_thin_parts(const Array<Point_3>& points,
-                                           const Neighbor_graph& graph, double filter_width,
-                                           const Curvature_defaults& defaults, Surface_state& state,
-                                           Progress& progress, double work)
+Array<std::uint32_t> find_thin_parts(const Array<Point_3>& points, const Neighbor_graph& graph,
+                                     double filter_width, const Curvature_defaults& defaults,
+                                     Surface_state& state, Progress& progress, double work)
 {
   Array<std::uint32_t> sizes(points.size(), static_cast<std::uint32_t>(graph.largest_size()));
   if (!(state.spacing > 0.))
