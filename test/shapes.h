@@ -17,7 +17,7 @@ namespace shapes {
 typedef CGAL::Simple_cartesian<double> Kernel;
 typedef Kernel::Point_3 Point_3;
 typedef Kernel::Vector_3 Vector_3;
-typedef CGAL::Point_set_flow::internal::Array<Point_3> Points; // what the stages take
+typedef std::vector<Point_3> Points;
 
 /// n points on a sphere around the origin, evenly spread (Fibonacci lattice)
 inline Points sphere(std::size_t n, double radius)
@@ -72,8 +72,8 @@ inline double distance_to_cube(const Point_3& p)
 }
 
 /// Adds Gaussian noise, the same in all directions
-template <typename Point>
-void add_noise(std::vector<Point>& points, double sigma, unsigned int seed = 1)
+template <typename Point, typename Allocator>
+void add_noise(std::vector<Point, Allocator>& points, double sigma, unsigned int seed = 1)
 {
   std::mt19937 random(seed);
   std::normal_distribution<double> noise(0., sigma);

@@ -224,15 +224,16 @@ BOOST_AUTO_TEST_CASE(thin_parts_are_told_from_noise)
     for (std::size_t i = 0; thin && i < points.size(); i += 2)
       points[i] = Point_3(points[i].x(), points[i].y(), 4. * sigma);
     shapes::add_noise(points, sigma);
-    const internal::Neighbor_tree tree(sequential, points);
+    const internal::Array<Point_3> array(points.begin(), points.end());
+    const internal::Neighbor_tree tree(sequential, array);
     internal::Progress progress(no_callback, 1.);
     internal::Neighbor_graph graph(sequential, tree, 60, 0., progress, 0.);
     internal::Surface_state state;
     state.normals.assign(points.size(), Vector_3(0, 0, 1));
     state.noise.assign(points.size(), (thin ? std::sqrt(5.) : 1.) * sigma);
     state.spacing = spacing;
-    const std::vector<std::uint32_t> sizes = internal::find_thin_parts<CGAL::Sequential_tag>(
-        points, graph, .6, Tangent_plane_curvature::defaults(), state, progress, 0.);
+    const internal::Array<std::uint32_t> sizes = internal::find_thin_parts<CGAL::Sequential_tag>(
+        array, graph, .6, Tangent_plane_curvature::defaults(), state, progress, 0.);
     const double noise =
         std::accumulate(state.noise.begin(), state.noise.end(), 0.) / double(points.size());
     const double size = std::accumulate(sizes.begin(), sizes.end(), 0.) / double(points.size());

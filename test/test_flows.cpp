@@ -160,7 +160,8 @@ BOOST_AUTO_TEST_CASE(no_point_leaves_the_diffusion_band)
       largest = (std::max)(largest, std::sqrt(CGAL::squared_distance(points[i], noisy[i])));
     return largest;
   };
-  const internal::Neighbor_tree tree(CGAL::Sequential_tag(), noisy);
+  const internal::Array<Point_3> array(noisy.begin(), noisy.end());
+  const internal::Neighbor_tree tree(CGAL::Sequential_tag(), array);
   const std::function<bool(double)> no_callback;
   internal::Progress progress(no_callback, 1.);
   const internal::Neighbor_graph graph(CGAL::Sequential_tag(), tree, 20, 0., progress, 0.);
@@ -168,7 +169,7 @@ BOOST_AUTO_TEST_CASE(no_point_leaves_the_diffusion_band)
   for (std::size_t i = 0; i < noisy.size(); ++i)
     band = (std::max)(
         band,
-        std::abs(Covariance_curvature()(graph.neighborhood(noisy, i, .3)).directional_curvature));
+        std::abs(Covariance_curvature()(graph.neighborhood(array, i, .3)).directional_curvature));
 
   BOOST_TEST(farthest(smoothed(noisy, Volume_preserving_flow(), 200, 0)) <= band);
   BOOST_TEST(farthest(smoothed(noisy, Well_posed_anisotropic_flow(), 200, 0)) > 2. * band);

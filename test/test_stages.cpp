@@ -18,7 +18,6 @@
 
 using namespace CGAL::Point_set_flow;
 namespace internal = CGAL::Point_set_flow::internal;
-using shapes::Points;
 
 namespace {
 
@@ -42,9 +41,14 @@ BOOST_AUTO_TEST_CASE(the_diffusivity_falls_from_1_through_one_half_at_the_thresh
 namespace {
 
 /// A surface, a lattice, where many distances are equal, and a point far away
+// The stages work on arrays.
+typedef internal::Array<Point_3> Points;
+
+Points array(const shapes::Points& points) { return Points(points.begin(), points.end()); }
+
 Points points_of_all_kinds()
 {
-  Points points = shapes::cube(12);
+  Points points = array(shapes::cube(12));
   for (int i = 0; i < 5; ++i)
     for (int j = 0; j < 5; ++j)
       for (int l = 0; l < 5; ++l)
@@ -92,7 +96,7 @@ BOOST_AUTO_TEST_CASE(the_graph_has_the_nearest_neighbors)
       };
       for (std::size_t i = 0; i < points.size(); i += 3)
         check(i, k);
-      std::vector<std::uint32_t> sizes(points.size());
+      internal::Array<std::uint32_t> sizes(points.size());
       for (std::size_t i = 0; i < sizes.size(); ++i)
         sizes[i] = std::uint32_t(1 + i % 20);
       graph.shrink<CGAL::Sequential_tag>(points, sizes, progress, 0.);
@@ -142,32 +146,74 @@ BOOST_AUTO_TEST_CASE(neighbors_are_the_nearest_ones)
 
 BOOST_AUTO_TEST_CASE(the_buffer_merges_duplicates_and_forgets_the_order)
 {
-  Points points = shapes::sphere(500, 1.);
+  Points points = array(shapes::sphere(500, 1.));
   points.insert(points.end(), points.begin(), points.begin() + 100);
-  const internal::Point_buffer buffer(sequential, points, {}, {});
+  internal::Progress progress(no_callback, 1.);
+  const internal::Point_buffer buffer(sequential, points, {}, {}, progress, 0.);
   BOOST_TEST(buffer.size() == 500u);
   for (std::size_t i = 0; i < points.size(); ++i)
     BOOST_TEST((buffer.reference[buffer.site_of[i]] == points[i]));
 
   Points shuffled = points;
   std::shuffle(shuffled.begin(), shuffled.end(), std::mt19937(3));
-  BOOST_TEST((internal::Point_buffer(sequential, shuffled, {}, {}).reference == buffer.reference));
+  const internal::Point_buffer other(sequential, shuffled, {}, {}, progress, 0.);
+  BOOST_TEST((other.reference == buffer.reference));
 
   // same start but different references: two different points
   const internal::Point_buffer two(sequential, {{0, 0, 0}, {1, 0, 0}, {1, 0, 0}},
-                                   {{5, 5, 5}, {5, 5, 5}, {5, 5, 5}}, {});
+                                   {{5, 5, 5}, {5, 5, 5}, {5, 5, 5}}, {}, progress, 0.);
   BOOST_TEST(two.size() == 2u);
 
   // a duplicate of a constrained point does not move either
-  const internal::Point_buffer fixed(sequential, {{0, 0, 0}, {1, 0, 0}, {0, 0, 0}}, {}, {0, 0, 1});
+  const internal::Point_buffer fixed(sequential, {{0, 0, 0}, {1, 0, 0}, {0, 0, 0}}, {}, {0, 0, 1},
+                                     progress, 0.);
   BOOST_TEST(fixed.constrained[fixed.site_of[0]] == 1);
   BOOST_TEST(fixed.constrained[fixed.site_of[1]] == 0);
+}
+
+// Of the path through the points in their order
+double path_length(const Points& points)
+{
+  double length = 0.;
+  for (std::size_t i = 1; i < points.size(); ++i)
+    length += std::sqrt(CGAL::squared_distance(points[i - 1], points[i]));
+  return length;
+}
+
+// Points far away, or clusters, must not cost the others their order: searching would be slow.
+BOOST_AUTO_TEST_CASE(the_order_follows_space_at_any_scale)
+{
+  const Points sphere = array(shapes::sphere(5000, 1.));
+  const double spacing = std::sqrt(4. * CGAL_PI / double(sphere.size()));
+  internal::Progress progress(no_callback, 1.);
+  for (const double size : {1., 1e-6, 1e-12, 1e-300}) {
+    Points points;
+    for (const Point_3& p : sphere)
+      points.emplace_back(size * p.x(), size * p.y(), size * p.z());
+    points.emplace_back(1., 2., 3.);
+    points.emplace_back(1e9, 0., 0.);
+    std::shuffle(points.begin(), points.end(), std::mt19937(3));
+    const internal::Spatial_order<CGAL::Sequential_tag> order(points, {}, progress, 0.);
+    std::vector<std::uint32_t> all;
+    Points near;
+    for (std::size_t i = 0; i < order.size(); ++i) {
+      all.push_back(order[i]);
+      const Point_3& p = points[order[i]];
+      if (std::abs(p.x()) <= size)
+        near.emplace_back(p.x() / size, p.y() / size, p.z() / size);
+    }
+    std::sort(all.begin(), all.end());
+    for (std::size_t i = 0; i < all.size(); ++i)
+      BOOST_REQUIRE(all[i] == i);
+    BOOST_TEST(near.size() >= sphere.size());
+    BOOST_TEST(path_length(near) < 4. * spacing * double(near.size()));
+  }
 }
 
 // Section 2.3, Fig. 3: variation measured on the prefiltered surface depends less on the noise
 BOOST_AUTO_TEST_CASE(the_prefilter_brings_the_variation_nearer_to_that_of_the_clean_surface)
 {
-  Points clean = shapes::sphere(4000, 1.), noisy = clean;
+  Points clean = array(shapes::sphere(4000, 1.)), noisy = clean;
   shapes::add_noise(noisy, .01);
   const internal::Neighbor_tree tree(sequential, clean);
   internal::Progress progress(no_callback, 1.);
@@ -190,7 +236,7 @@ BOOST_AUTO_TEST_CASE(noise_and_spacing_are_estimated)
   // unit area per point would be a spacing of 1: here the area is 4 pi over 20,000 points
   const double spacing = std::sqrt(4. * CGAL_PI / 20000.);
   for (const double in_spacings : {.1, .5, 1., 2.}) {
-    Points points = shapes::sphere(20000, 1.);
+    Points points = array(shapes::sphere(20000, 1.));
     shapes::add_noise(points, in_spacings * spacing);
     const Point_set_scale scale = estimate_point_set_scale<CGAL::Sequential_tag>(points);
     BOOST_TEST_CONTEXT("noise of " << in_spacings << " spacings")

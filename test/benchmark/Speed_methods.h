@@ -86,7 +86,8 @@ void find_neighbors(Points& points)
   using namespace CGAL::Point_set_flow::internal;
   const std::function<bool(double)> no_callback;
   Progress progress(no_callback, 1.);
-  const Point_buffer buffer(Concurrency_tag(), points, {}, {}, progress, 0.);
+  const Array<Point_3> copy(points.begin(), points.end());
+  const Point_buffer buffer(Concurrency_tag(), copy, {}, {}, progress, 0.);
   const Neighbor_tree tree(Concurrency_tag(), buffer.reference);
   const Neighbor_graph graph(Concurrency_tag(), tree, graph_size, 0., progress, 1.);
 }

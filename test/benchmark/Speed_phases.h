@@ -2,59 +2,103 @@
 #ifndef BALANCED_FLOW_BENCHMARK_SPEED_PHASES_H
 #define BALANCED_FLOW_BENCHMARK_SPEED_PHASES_H
 
-#include "comparison/Numbered_points.h"
+#include "comparison/Surface.h"
 
 #include <CGAL/Real_timer.h>
 #include <CGAL/balanced_flow_smooth_point_set.h>
 
-#include <map>
+#ifdef CGAL_LINKED_WITH_TBB
+#include <tbb/global_control.h>
+#endif
+
+#include <algorithm>
+#include <limits>
 #include <string>
-#include <utility>
 #include <vector>
 
-/// The phases of a run with default parameters, in one piece, with what they count in the progress
-inline std::vector<std::pair<std::string, double>> phases_of_a_run()
+struct Phase {
+  std::string name;
+  double work, seconds; // what it counts in the progress, and takes
+};
+typedef std::vector<Phase> Phases;
+
+/// The phases of a run with default parameters in one piece, one after the other
+inline Phases phases_of_a_run()
 {
   using namespace CGAL::Point_set_flow::internal;
   typedef CGAL::Point_set_flow::Tangent_plane_curvature Curvature;
-  std::vector<std::pair<std::string, double>> phases = {
-      {"1 copy in, order", work::order},  {"2 tree", work::tree},
-      {"3 scale", work::scale},           {"4 graph", work::graph},
-      {"5 noise map", work::noise},       {"6 tangent planes", work::planes},
-      {"7 thin parts", work::thin_parts}, {"8 shrink", work::shrink},
-      {"9 flow steps", work::step}};
+  Phases phases = {{"copy in, order", work::order, 0.},  {"tree", work::tree, 0.},
+                   {"scale", work::scale, 0.},           {"graph", work::graph, 0.},
+                   {"noise map", work::noise, 0.},       {"tangent planes", work::planes, 0.},
+                   {"thin parts", work::thin_parts, 0.}, {"shrink", work::shrink, 0.},
+                   {"flow steps", work::step, 0.}};
   for (unsigned int t = 1; t < Defaults_of<Curvature>::get().number_of_iterations; ++t) {
-    phases.emplace_back("6 tangent planes", work::planes);
-    phases.emplace_back("9 flow steps", work::step);
+    phases.push_back({"tangent planes", work::planes, 0.});
+    phases.push_back({"flow steps", work::step, 0.});
   }
+  phases.push_back({"copy out", 0., 0.});
   return phases;
 }
 
 /// The seconds that each phase of a run takes, read off its progress
-template <typename Concurrency_tag>
-std::map<std::string, double> measure_phases(Points points)
+inline Phases measure_phases(Points points, [[maybe_unused]] unsigned int threads)
 {
-  const auto phases = phases_of_a_run();
+  const Phases sequence = phases_of_a_run();
   double total = 0.;
-  for (const auto& phase : phases)
-    total += phase.second;
+  for (const Phase& phase : sequence)
+    total += phase.work;
 
-  std::map<std::string, double> seconds;
-  std::size_t phase = 0;
-  double end = phases[0].second / total, before = 0.;
+  Phases phases; // each name once
+  const auto add = [&](const std::string& name, double seconds) {
+    const auto found = std::find_if(phases.begin(), phases.end(),
+                                    [&](const Phase& phase) { return phase.name == name; });
+    if (found == phases.end())
+      phases.push_back({name, 0., seconds});
+    else
+      found->seconds += seconds;
+  };
+  std::size_t at = 0;
+  double end = sequence[0].work / total, before = 0.;
   CGAL::Real_timer timer;
-  const std::function<bool(double)> clock = [&](double share) {
-    while (phase < phases.size() && share > end + 1e-9)
-      if (++phase < phases.size())
-        end += phases[phase].second / total;
-    seconds[phase < phases.size() ? phases[phase].first : "10 copy out"] += timer.time() - before;
-    before = timer.time();
+  const auto clock = [&](double share) {
+    while (at + 1 < sequence.size() && share > end + 1e-9)
+      end += sequence[++at].work / total;
+    const double now = timer.time();
+    add(sequence[at].name, now - before);
+    before = now;
     return true;
   };
   timer.start();
-  CGAL::balanced_flow_smooth_point_set<Concurrency_tag>(points, CGAL::parameters::callback(clock));
-  seconds["10 copy out"] += timer.time() - before;
-  return seconds;
+#ifdef CGAL_LINKED_WITH_TBB
+  const tbb::global_control control(tbb::global_control::max_allowed_parallelism, threads);
+  if (threads > 1)
+    CGAL::balanced_flow_smooth_point_set<CGAL::Parallel_tag>(points,
+                                                             CGAL::parameters::callback(clock));
+  else
+#endif
+    CGAL::balanced_flow_smooth_point_set<CGAL::Sequential_tag>(points,
+                                                               CGAL::parameters::callback(clock));
+  add("copy out", timer.time() - before);
+  return phases;
+}
+
+inline double median(std::vector<double> values)
+{
+  std::sort(values.begin(), values.end());
+  return values.empty() ? std::numeric_limits<double>::quiet_NaN() : values[values.size() / 2];
+}
+
+/// The medians of some runs, which have the same phases
+inline Phases median_phases(const std::vector<Phases>& runs)
+{
+  Phases medians = runs.front();
+  for (std::size_t i = 0; i < medians.size(); ++i) {
+    std::vector<double> seconds;
+    for (const Phases& run : runs)
+      seconds.push_back(run[i].seconds);
+    medians[i].seconds = median(seconds);
+  }
+  return medians;
 }
 
 #endif // BALANCED_FLOW_BENCHMARK_SPEED_PHASES_H

@@ -5,6 +5,7 @@
 //   benchmark_speed [--points ...] [--orders ...] [--samplings ...] [--threads ...] [--methods ...]
 #include "Speed_clouds.h"
 #include "Speed_methods.h"
+#include "Speed_phases.h"
 
 #include "comparison/run_in_child.h"
 
@@ -28,7 +29,7 @@ struct Settings {
   std::vector<unsigned int> threads;
   unsigned int repeats;
   std::string csv;
-  bool difficult;
+  bool difficult, phases;
 };
 
 std::optional<Settings> read_command_line(int argc, char** argv)
@@ -45,7 +46,8 @@ std::optional<Settings> read_command_line(int argc, char** argv)
     ("methods", options::value(&s.methods)->multitoken(), "only these")
     ("repeats", options::value(&s.repeats)->default_value(3), "runs of each")
     ("csv", options::value(&s.csv), "file for all numbers")
-    ("difficult", options::bool_switch(&s.difficult), "duplicates, lines and far points instead");
+    ("difficult", options::bool_switch(&s.difficult), "duplicates, lines and far points instead")
+    ("phases", options::bool_switch(&s.phases), "the phases of our run instead");
   // clang-format on
   options::variables_map given;
   options::store(options::parse_command_line(argc, argv, description), given);
@@ -57,12 +59,6 @@ std::optional<Settings> read_command_line(int argc, char** argv)
   if (s.repeats == 0)
     throw std::invalid_argument("--repeats needs a positive number");
   return s;
-}
-
-double median(std::vector<double> values)
-{
-  std::sort(values.begin(), values.end());
-  return values.empty() ? std::numeric_limits<double>::quiet_NaN() : values[values.size() / 2];
 }
 
 /// One run in a process of its own, of points that it may change: they are its copy.
@@ -156,6 +152,30 @@ class Benchmark {
         }
   }
 
+  void run_phases() const
+  {
+    std::printf("| order | points | threads | phase | seconds | ns per point | share |\n"
+                "|---|---|---|---|---|---|---|\n");
+    for (const std::string& order : m_settings.orders)
+      for (const std::size_t n : m_settings.points)
+        for (const unsigned int threads : m_settings.threads) {
+          Points points = bumpy_sphere("uniform", n);
+          put_in_order(points, order);
+          std::vector<Phases> runs;
+          for (unsigned int i = 0; i < m_settings.repeats; ++i)
+            runs.push_back(measure_phases(points, threads));
+          const Phases phases = median_phases(runs);
+          double total = 0.;
+          for (const Phase& phase : phases)
+            total += phase.seconds;
+          for (const Phase& phase : phases)
+            std::printf("| %s | %zu | %u | %s | %.3f | %.0f | %.0f%% |\n", order.c_str(), n,
+                        threads, phase.name.c_str(), phase.seconds, 1e9 * phase.seconds / double(n),
+                        100. * phase.seconds / total);
+          std::fflush(stdout);
+        }
+  }
+
   void run_difficult_clouds() const
   {
     std::printf("| cloud | points | seconds | to the ordinary one |\n|---|---|---|---|\n");
@@ -187,7 +207,9 @@ public:
 
   void run()
   {
-    if (m_settings.difficult)
+    if (m_settings.phases)
+      run_phases();
+    else if (m_settings.difficult)
       run_difficult_clouds();
     else
       run_clouds();

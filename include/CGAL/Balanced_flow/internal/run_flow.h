@@ -72,8 +72,7 @@ public:
       if (uses_normals && t == 0)
         adapt_neighborhoods();
 
-      if (m_piece.points.empty())
-        m_piece.points = m_piece.reference; // memory: not before they are needed
+      start();
       m_before.resize(n);
       m_before.swap(m_piece.points);
       flow_step<ConcurrencyTag>(m_before, m_piece, m_plan.filter_width, m_state, m_curvature,
@@ -83,6 +82,7 @@ public:
       if (m_before == m_piece.points) // nothing moves any more
         break;
     }
+    start(); // without iterations
   }
 
   /// How far a point of the piece moved in the last step
@@ -120,6 +120,13 @@ public:
   }
 
 private:
+  /// Gives the points a place of their own: memory, not before they move.
+  void start()
+  {
+    if (m_piece.points.empty())
+      m_piece.points = m_piece.reference;
+  }
+
   /// To thin parts and to noise that is not everywhere the same
   void adapt_neighborhoods()
   {
