@@ -225,8 +225,8 @@ BOOST_AUTO_TEST_CASE(thin_parts_are_told_from_noise)
       points[i] = Point_3(points[i].x(), points[i].y(), 4. * sigma);
     shapes::add_noise(points, sigma);
     const internal::Array<Point_3> array(points.begin(), points.end());
-    const internal::Neighbor_tree tree(sequential, array);
     internal::Progress progress(no_callback, 1.);
+    const internal::Neighbor_tree tree(sequential, array, progress);
     internal::Neighbor_graph graph(sequential, tree, 60, 0., progress, 0.);
     internal::Surface_state state;
     state.normals.assign(points.size(), Vector_3(0, 0, 1));

@@ -161,9 +161,9 @@ BOOST_AUTO_TEST_CASE(no_point_leaves_the_diffusion_band)
     return largest;
   };
   const internal::Array<Point_3> array(noisy.begin(), noisy.end());
-  const internal::Neighbor_tree tree(CGAL::Sequential_tag(), array);
   const std::function<bool(double)> no_callback;
   internal::Progress progress(no_callback, 1.);
+  const internal::Neighbor_tree tree(CGAL::Sequential_tag(), array, progress);
   const internal::Neighbor_graph graph(CGAL::Sequential_tag(), tree, 20, 0., progress, 0.);
   double band = 0.;
   for (std::size_t i = 0; i < noisy.size(); ++i)

@@ -73,8 +73,8 @@ std::vector<internal::Neighbor_tree::Neighbor> by_distance(const Points& points,
 BOOST_AUTO_TEST_CASE(the_graph_has_the_nearest_neighbors)
 {
   const Points points = points_of_all_kinds();
-  const internal::Neighbor_tree tree(sequential, points);
   internal::Progress progress(no_callback, 1.);
+  const internal::Neighbor_tree tree(sequential, points, progress);
   for (const double radius : {0., .4}) // without a limit, and with one
     for (const std::size_t k : {std::size_t(1), std::size_t(7), std::size_t(30), points.size()}) {
       internal::Neighbor_graph graph(sequential, tree, k, radius, progress, 0.);
@@ -110,7 +110,8 @@ BOOST_AUTO_TEST_CASE(neighbors_are_the_nearest_ones)
   const Points points = points_of_all_kinds();
   typedef CGAL::Orthogonal_k_neighbor_search<CGAL::Search_traits_3<Core_kernel>> Search;
   Search::Tree cgal_tree(points.begin(), points.end());
-  const internal::Neighbor_tree tree(sequential, points);
+  internal::Progress progress(no_callback, 1.);
+  const internal::Neighbor_tree tree(sequential, points, progress);
   for (const unsigned int k : {1u, 7u, 30u}) {
     internal::Neighbor_tree::Query query(tree, k);
     internal::Neighbor_tree::Query within(tree, k, .4), anywhere(tree, k);
@@ -215,8 +216,8 @@ BOOST_AUTO_TEST_CASE(the_prefilter_brings_the_variation_nearer_to_that_of_the_cl
 {
   Points clean = array(shapes::sphere(4000, 1.)), noisy = clean;
   shapes::add_noise(noisy, .01);
-  const internal::Neighbor_tree tree(sequential, clean);
   internal::Progress progress(no_callback, 1.);
+  const internal::Neighbor_tree tree(sequential, clean, progress);
   const internal::Neighbor_graph graph(sequential, tree, 20, 0., progress, 0.);
   Points filtered(noisy.size());
   internal::prefilter<CGAL::Sequential_tag>(noisy, graph, .5, filtered, progress, 0.);

@@ -88,7 +88,7 @@ void find_neighbors(Points& points)
   Progress progress(no_callback, 1.);
   const Array<Point_3> copy(points.begin(), points.end());
   const Point_buffer buffer(Concurrency_tag(), copy, {}, {}, progress, 0.);
-  const Neighbor_tree tree(Concurrency_tag(), buffer.reference);
+  const Neighbor_tree tree(Concurrency_tag(), buffer.reference, progress);
   const Neighbor_graph graph(Concurrency_tag(), tree, graph_size, 0., progress, 1.);
 }
 

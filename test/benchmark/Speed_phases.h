@@ -18,7 +18,9 @@
 
 struct Phase {
   std::string name;
-  double work, seconds; // what it counts in the progress, and takes
+  double work; // what it counts in the progress
+  double seconds = 0.;
+  double silence = 0.; // the longest time between two calls of the callback
 };
 typedef std::vector<Phase> Phases;
 
@@ -27,16 +29,16 @@ inline Phases phases_of_a_run()
 {
   using namespace CGAL::Point_set_flow::internal;
   typedef CGAL::Point_set_flow::Tangent_plane_curvature Curvature;
-  Phases phases = {{"copy in, order", work::order, 0.},  {"tree", work::tree, 0.},
-                   {"scale", work::scale, 0.},           {"graph", work::graph, 0.},
-                   {"noise map", work::noise, 0.},       {"tangent planes", work::planes, 0.},
-                   {"thin parts", work::thin_parts, 0.}, {"shrink", work::shrink, 0.},
-                   {"flow steps", work::step, 0.}};
+  Phases phases = {{"copy in, order", work::order},  {"tree", work::tree},
+                   {"scale", work::scale},           {"graph", work::graph},
+                   {"noise map", work::noise},       {"tangent planes", work::planes},
+                   {"thin parts", work::thin_parts}, {"shrink", work::shrink},
+                   {"flow steps", work::step}};
   for (unsigned int t = 1; t < Defaults_of<Curvature>::get().number_of_iterations; ++t) {
-    phases.push_back({"tangent planes", work::planes, 0.});
-    phases.push_back({"flow steps", work::step, 0.});
+    phases.push_back({"tangent planes", work::planes});
+    phases.push_back({"flow steps", work::step});
   }
-  phases.push_back({"copy out", 0., 0.});
+  phases.push_back({"copy out", 0.});
   return phases;
 }
 
@@ -50,22 +52,22 @@ inline Phases measure_phases(Points points, [[maybe_unused]] unsigned int thread
 
   Phases phases; // each name once
   const auto add = [&](const std::string& name, double seconds) {
-    const auto found = std::find_if(phases.begin(), phases.end(),
-                                    [&](const Phase& phase) { return phase.name == name; });
+    auto found = std::find_if(phases.begin(), phases.end(),
+                              [&](const Phase& phase) { return phase.name == name; });
     if (found == phases.end())
-      phases.push_back({name, 0., seconds});
-    else
-      found->seconds += seconds;
+      found = phases.insert(found, Phase{name, 0.});
+    found->seconds += seconds;
+    found->silence = (std::max)(found->silence, seconds);
   };
   std::size_t at = 0;
   double end = sequence[0].work / total, before = 0.;
   CGAL::Real_timer timer;
   const auto clock = [&](double share) {
-    while (at + 1 < sequence.size() && share > end + 1e-9)
-      end += sequence[++at].work / total;
     const double now = timer.time();
     add(sequence[at].name, now - before);
     before = now;
+    while (at + 1 < sequence.size() && share > (std::min)(end, .999) - 1e-9)
+      end += sequence[++at].work / total;
     return true;
   };
   timer.start();
@@ -93,10 +95,13 @@ inline Phases median_phases(const std::vector<Phases>& runs)
 {
   Phases medians = runs.front();
   for (std::size_t i = 0; i < medians.size(); ++i) {
-    std::vector<double> seconds;
-    for (const Phases& run : runs)
+    std::vector<double> seconds, silences;
+    for (const Phases& run : runs) {
       seconds.push_back(run[i].seconds);
+      silences.push_back(run[i].silence);
+    }
     medians[i].seconds = median(seconds);
+    medians[i].silence = median(silences);
   }
   return medians;
 }

@@ -5,6 +5,7 @@
 //   benchmark_accuracy [--groups ...] [--points ...] [--noise ...] [--shapes ...] [--quick]
 // Lengths in thousandths of the radius of the shape.
 #include "Benchmark_shapes.h"
+#include "Cost_curve.h"
 #include "Outcome_table.h"
 
 #include "comparison/sample_mesh.h"
@@ -37,7 +38,7 @@ std::optional<Settings> read_command_line(int argc, char** argv)
   description.add_options()
     ("help,h", "print this text")
     ("groups", options::value(&s.groups)->multitoken()->default_value({"tuned", "untuned", "thin", "conditions", "clean", "k", "normals"}, "all"),
-     "some of: tuned untuned thin conditions clean k normals; the last four with the first number of --points only")
+     "some of: tuned untuned thin conditions clean k normals cost; the last five with the first number of --points only")
     ("points", options::value(&s.points)->multitoken()->default_value({10000, 50000}, "10000 50000"), "numbers of samples")
     ("noise", options::value(&s.noise)->multitoken()->default_value({.5, 1., 2., 3.}, "0.5 1 2 3"), "in percent of the radius")
     ("shapes", options::value(&s.shapes)->multitoken(), "only these of the groups' shapes; mesh files are taken as untuned shapes")
@@ -197,6 +198,21 @@ class Benchmark {
     m_targets.all_at_most(1., 7, "rms to the better of jet and bilateral with the same k", ratios);
   }
 
+  void run_cost()
+  {
+    Cost_curve curve;
+    for_each_shape(
+        {"fandisk", "elephant", "camel", "joint", "hand", "dino"}, {m_settings.points.front()},
+        false, [&](const std::string& shape, const Mesh_surface& surface, const Samples& clean) {
+          for (const double noise : m_settings.noise) {
+            const auto what = make_case("cost", shape, "Gaussian", clean.points.size(), noise);
+            curve.add(add_noise(clean.points, "Gaussian", noise / 100., what.seed).points, surface,
+                      what.name());
+          }
+        });
+    curve.print();
+  }
+
 public:
   explicit Benchmark(const Settings& settings) : m_settings(settings), m_table(settings.csv) {}
 
@@ -230,6 +246,8 @@ public:
       run_clean();
     if (m_settings.has("k"))
       run_given_k();
+    if (m_settings.has("cost"))
+      run_cost();
     m_outcomes.write_to(m_targets);
     m_targets.print();
   }

@@ -154,8 +154,8 @@ class Benchmark {
 
   void run_phases() const
   {
-    std::printf("| order | points | threads | phase | seconds | ns per point | share |\n"
-                "|---|---|---|---|---|---|---|\n");
+    std::printf("| order | points | threads | phase | seconds | ns per point | share | longest "
+                "between two calls of the callback |\n|---|---|---|---|---|---|---|---|\n");
     for (const std::string& order : m_settings.orders)
       for (const std::size_t n : m_settings.points)
         for (const unsigned int threads : m_settings.threads) {
@@ -169,9 +169,9 @@ class Benchmark {
           for (const Phase& phase : phases)
             total += phase.seconds;
           for (const Phase& phase : phases)
-            std::printf("| %s | %zu | %u | %s | %.3f | %.0f | %.0f%% |\n", order.c_str(), n,
+            std::printf("| %s | %zu | %u | %s | %.3f | %.0f | %.0f%% | %.3f |\n", order.c_str(), n,
                         threads, phase.name.c_str(), phase.seconds, 1e9 * phase.seconds / double(n),
-                        100. * phase.seconds / total);
+                        100. * phase.seconds / total, phase.silence);
           std::fflush(stdout);
         }
   }

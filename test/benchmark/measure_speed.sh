@@ -1,6 +1,6 @@
 #!/bin/sh
 # SPDX-License-Identifier: GPL-3.0-or-later
-# Makes the tables of speed and memory of the manual, and its plot, from runs on this machine, which
+# Makes the tables of speed and memory of the manual, and its plots, from runs on this machine, which
 # should have nothing else to do for about half an hour: measure_speed.sh BENCHMARK_SPEED FOLDER
 set -eu
 run=$(realpath "$1")
@@ -15,6 +15,10 @@ cd "$2"
 # sizes
 "$run" --points 10000 100000 1000000 10000000 --orders unordered --methods ours "our graph" --repeats 1 --csv sizes.csv | tee sizes.md
 "$run" --points 10000 100000 1000000 --orders unordered --methods jet bilateral Neighbor_query --repeats 1 --csv peer_sizes.csv | tee peer_sizes.md
+# phases
+"$run" --phases --points 1000000 --orders unordered --threads 1 2 | tee phases.md
+# steps and neighbors
+"$(dirname "$run")/benchmark_accuracy" --groups cost --points 20000 | tee cost.md
 # duplicates, lines, far points
 "$run" --points 100000 --orders unordered --difficult | tee difficult.md
 
@@ -33,5 +37,14 @@ plot "<grep -h ',ours,' sizes.csv" using 3:6 with linespoints lw 2 title "ours, 
      "<grep -h ',bilateral,' peer_sizes.csv" using 3:6 with linespoints lw 2 title "bilateral, one pass, normals given", \
      "<grep -h ',our graph,' sizes.csv" using 3:6 with linespoints dt 2 title "our neighbor graph, k=20", \
      "<grep -h ',Neighbor_query,' peer_sizes.csv" using 3:6 with linespoints dt 2 title "Neighbor\\_query, k=20"
+set output "cost.svg"
+unset logscale
+set datafile separator "|"
+set key right top
+set xlabel "time of one jet pass"
+set ylabel "rms error to that of jet"
+set format x "%g"
+plot "<grep '^| steps: [0-9]* |' cost.md" using 3:4 with linespoints lw 2 title "1 to 12 steps", \
+     "<grep '^| neighbors' cost.md" using 3:4 with linespoints lw 2 title "40% to 150% of the neighbors"
 EOF
 if command -v gnuplot > /dev/null; then gnuplot plot.gnuplot; fi

@@ -55,7 +55,7 @@ Point_set_scale estimate_point_set_scale(const PointRange& points,
   const internal::Frame frame = internal::find_frame(ConcurrencyTag(), copy, progress);
   internal::move_to_core(copy, frame);
   const internal::Point_buffer buffer(ConcurrencyTag(), copy, {}, {}, progress, 0.);
-  const internal::Neighbor_tree tree(ConcurrencyTag(), buffer.reference);
+  const internal::Neighbor_tree tree(ConcurrencyTag(), buffer.reference, progress);
   const internal::Sampled_scale found = internal::find_scale(ConcurrencyTag(), tree, progress, 1.);
   const double ratio = found.spacing > 0. ? found.noise / found.spacing : 0.;
   Point_set_scale scale;

@@ -63,7 +63,7 @@ public:
         step_length(options.step_length.value_or(defaults.step_length)),
         is_k_given(options.k.has_value()),
         filter_width(options.filter_width.value_or(defaults.filter_width)),
-        noise_map(tag, find_scale(tag, tree, progress, work::scale))
+        noise_map(tag, find_scale(tag, tree, progress, work::scale), progress)
   {
     const double noise = uses_normals ? noise_map.largest() : noise_map.noise();
     const unsigned int suited =

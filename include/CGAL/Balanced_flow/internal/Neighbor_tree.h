@@ -4,6 +4,7 @@
 
 #include <CGAL/Balanced_flow/Vector_types.h>
 #include <CGAL/Balanced_flow/internal/Array.h>
+#include <CGAL/Balanced_flow/internal/Progress.h>
 #include <CGAL/Kd_tree.h>
 #include <CGAL/Search_traits_3.h>
 #include <CGAL/Search_traits_adapter.h>
@@ -18,6 +19,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <thread>
 #include <vector>
 
 namespace CGAL {
@@ -30,7 +32,25 @@ namespace internal {
 class Neighbor_tree {
   typedef Pointer_property_map<Point_3>::const_type Point_map;
   typedef Search_traits_adapter<std::size_t, Point_map, Search_traits_3<Core_kernel>> Traits;
-  typedef Median_of_max_spread<Traits> Splitter;
+
+  /// \cgal builds the tree in one go; but it calls this for each node, which asks the callback
+  class Splitter : public Median_of_max_spread<Traits> {
+    typedef Median_of_max_spread<Traits> Base;
+    Progress* m_progress;
+    std::thread::id m_caller = std::this_thread::get_id();
+
+  public:
+    explicit Splitter(Progress& progress) : Base(16), m_progress(&progress) {}
+
+    template <typename Separator, typename Container>
+    void operator()(Separator& separator, Container& c0, Container& c1) const
+    {
+      const std::size_t much = 1 << 14; // to sort
+      if (c0.size() > much && std::this_thread::get_id() == m_caller)
+        m_progress->advance(0.);
+      Base::operator()(separator, c0, c1);
+    }
+  };
   typedef Kd_tree<Traits, Splitter, Tag_true> Tree;
 
   const Array<Point_3>& m_points;
@@ -76,10 +96,10 @@ public:
   };
 
   template <typename ConcurrencyTag>
-  Neighbor_tree(ConcurrencyTag, const Array<Point_3>& points)
+  Neighbor_tree(ConcurrencyTag, const Array<Point_3>& points, Progress& progress)
       : m_points(points), m_tree(boost::counting_iterator<std::size_t>(0),
-                                 boost::counting_iterator<std::size_t>(points.size()), Splitter(16),
-                                 Traits(Point_map(points.data())))
+                                 boost::counting_iterator<std::size_t>(points.size()),
+                                 Splitter(progress), Traits(Point_map(points.data())))
   {
     if (!points.empty())
       m_tree.build<ConcurrencyTag>();

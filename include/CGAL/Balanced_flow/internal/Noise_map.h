@@ -22,8 +22,9 @@ class Noise_map {
 
 public:
   template <typename ConcurrencyTag>
-  Noise_map(ConcurrencyTag tag, Sampled_scale scale)
-      : m_scale(std::move(scale)), m_tree(tag, m_scale.points), m_at_samples(m_scale.points.size())
+  Noise_map(ConcurrencyTag tag, Sampled_scale scale, Progress& progress)
+      : m_scale(std::move(scale)), m_tree(tag, m_scale.points, progress),
+        m_at_samples(m_scale.points.size())
   {
     if (m_scale.points.empty())
       return;

@@ -7,6 +7,7 @@
 #include <CGAL/Balanced_flow/internal/flow_step.h>
 #include <CGAL/Balanced_flow/internal/thin_parts.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <vector>
@@ -123,8 +124,15 @@ private:
   /// Gives the points a place of their own: memory, not before they move.
   void start()
   {
-    if (m_piece.points.empty())
-      m_piece.points = m_piece.reference;
+    if (!m_piece.points.empty())
+      return;
+    m_piece.points.resize(m_piece.reference.size());
+    const auto copy = [&](std::size_t begin, std::size_t end) {
+      std::copy(m_piece.reference.begin() + std::ptrdiff_t(begin),
+                m_piece.reference.begin() + std::ptrdiff_t(end),
+                m_piece.points.begin() + std::ptrdiff_t(begin));
+    };
+    for_each_block<ConcurrencyTag>(m_piece.points.size(), m_progress, 0., copy);
   }
 
   /// To thin parts and to noise that is not everywhere the same

@@ -46,7 +46,7 @@ Flow_result run_pieces(ConcurrencyTag tag, Point_buffer& buffer, const Flow& flo
                        const Wanted_outputs& wanted, Progress& progress)
 {
   const std::size_t n = buffer.size();
-  std::optional<Neighbor_tree> tree(std::in_place, tag, buffer.reference);
+  std::optional<Neighbor_tree> tree(std::in_place, tag, buffer.reference, progress);
   progress.advance(work::tree);
   const Flow_plan<Flow, Curvature> plan(tag, buffer, *tree, curvature, options, unit, progress);
   Flow_result result;

@@ -176,7 +176,15 @@ double smooth_point_set(PointRange& points, const std::optional<unsigned int>& k
       }
     }
 
+    // in the order of the caller: to jump about in memory is work for threads
+    Array<Point_3> flowed(site_of.size());
+    const auto gather = [&](std::size_t begin, std::size_t end) {
+      for (std::size_t i = begin; i < end; ++i)
+        flowed[i] = result.points[site_of[i]];
+    };
+    for_each_block<ConcurrencyTag>(flowed.size(), progress, 0., gather);
     std::vector<Kernel_point_3> new_points;
+    new_points.reserve(flowed.size());
     std::size_t i = 0;
     for (auto it = points.begin(); it != points.end(); ++it, ++i) {
       // adding the movement, rather than going back from the frame, keeps all digits of points
@@ -184,7 +192,7 @@ double smooth_point_set(PointRange& points, const std::optional<unsigned int>& k
       const Kernel_point_3& p = get(point_map, *it);
       const Point_3 before =
           frame.to_core(Point_3(to_double(p.x()), to_double(p.y()), to_double(p.z())));
-      const Vector_3 d = (result.points[site_of[i]] - before) * frame.unit;
+      const Vector_3 d = (flowed[i] - before) * frame.unit;
       if (!(std::isfinite(d.x()) && std::isfinite(d.y()) && std::isfinite(d.z())))
         throw std::overflow_error(
             "CGAL::balanced_flow_smooth_point_set: the flow diverges at points[" +
