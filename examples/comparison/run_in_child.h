@@ -95,7 +95,9 @@ void read(std::FILE* pipe, std::vector<Item>& items)
 /// Runs a smoother in a process of its own, so that its peak memory is its own and a crash is not
 /// ours. Empty if it failed. Must not be called after TBB has started threads here: they would be
 /// missing in the child.
-inline std::optional<Run> run_in_child(const std::function<Smoothed()>& smooth)
+/// \param prepare is called in that process before it is measured
+inline std::optional<Run> run_in_child(
+    const std::function<Smoothed()>& smooth, const std::function<void()>& prepare = []() {})
 {
 #ifdef __GLIBC__
   malloc_trim(0); // or the child would take memory that is ours already, and not counted
@@ -114,6 +116,7 @@ inline std::optional<Run> run_in_child(const std::function<Smoothed()>& smooth)
     try {
       close(ends[0]);
       std::FILE* const out = fdopen(ends[1], "wb");
+      prepare();
       const double before = child::peak_megabytes();
       const Run run = run_here(smooth);
       const double numbers[2] = {run.seconds, child::peak_megabytes() - before};
@@ -151,9 +154,11 @@ inline std::optional<Run> run_in_child(const std::function<Smoothed()>& smooth)
 
 #else
 
-inline std::optional<Run> run_in_child(const std::function<Smoothed()>& smooth)
+inline std::optional<Run> run_in_child(
+    const std::function<Smoothed()>& smooth, const std::function<void()>& prepare = []() {})
 {
   try {
+    prepare();
     return run_here(smooth);
   }
   catch (const std::exception& error) {
