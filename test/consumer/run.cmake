@@ -9,3 +9,12 @@ execute_process(
   COMMAND_ERROR_IS_FATAL ANY)
 execute_process(COMMAND ${CMAKE_COMMAND} --build ${WORK_DIR}/build COMMAND_ERROR_IS_FATAL ANY)
 execute_process(COMMAND ${WORK_DIR}/build/consumer COMMAND_ERROR_IS_FATAL ANY)
+
+# -ffast-math is refused, and the compiler says why
+execute_process(
+  COMMAND ${CXX} -std=c++17 -ffast-math -E -I ${WORK_DIR}/prefix/include -o ${WORK_DIR}/fast_math.i
+          ${CONSUMER_DIR}/main.cpp
+  RESULT_VARIABLE result ERROR_VARIABLE message OUTPUT_QUIET)
+if(result EQUAL 0 OR NOT message MATCHES "must not be compiled with -ffast-math")
+  message(FATAL_ERROR "-ffast-math is not refused: ${message}")
+endif()

@@ -2,6 +2,12 @@
 #ifndef CGAL_BALANCED_FLOW_VECTOR_TYPES_H
 #define CGAL_BALANCED_FLOW_VECTOR_TYPES_H
 
+// Infinite and NaN coordinates are recognised, and results do not depend on threads or compilers:
+// neither is true where the compiler may do as if there were no such numbers.
+#if defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__
+#error "CGAL::balanced_flow_smooth_point_set must not be compiled with -ffast-math or -ffinite-math-only"
+#endif
+
 #include <CGAL/Simple_cartesian.h>
 
 namespace CGAL {

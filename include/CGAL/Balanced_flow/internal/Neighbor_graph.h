@@ -11,6 +11,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -53,7 +54,7 @@ public:
       m_radii.resize(before + count, 0.);
       return;
     }
-    m_neighbors.resize((before + count) * m_stride);
+    m_neighbors.resize(offset(before + count, m_stride));
     m_sizes.resize(before + count);
     m_radii.resize(before + count);
     for_each_block<ConcurrencyTag>(count, progress, work, [&](std::size_t begin, std::size_t end) {
@@ -62,7 +63,7 @@ public:
       search(first + std::ptrdiff_t(begin), first + std::ptrdiff_t(end),
              [&](const std::vector<std::uint32_t>& found, double farthest) {
                std::copy(found.begin(), found.end(),
-                         m_neighbors.begin() + std::ptrdiff_t(i * m_stride));
+                         m_neighbors.begin() + std::ptrdiff_t(offset(i, m_stride)));
                m_sizes[i] = static_cast<std::uint32_t>(found.size());
                m_radii[i] = farthest;
                ++i;
@@ -76,7 +77,7 @@ public:
                             const std::vector<std::uint32_t>& place) const
   {
     Neighbor_graph graph(m_stride);
-    graph.m_neighbors.assign(numbers.size() * m_stride, 0);
+    graph.m_neighbors.assign(offset(numbers.size(), m_stride), 0);
     graph.m_sizes.assign(numbers.size(), 0);
     graph.m_radii.assign(numbers.size(), 0.);
     for (std::size_t i = 0; i < m_radii.size(); ++i) {
@@ -84,7 +85,7 @@ public:
       graph.m_sizes[here] = m_sizes[i];
       graph.m_radii[here] = m_radii[i];
       for (std::size_t j = 0; j < m_sizes[i]; ++j)
-        graph.m_neighbors[here * m_stride + j] = place[neighbors(i)[j]];
+        graph.m_neighbors[offset(here, m_stride) + j] = place[neighbors(i)[j]];
     }
     return graph;
   }
@@ -99,10 +100,17 @@ public:
                           surface);
   }
 
+  /// Where the neighbours of a point begin: there may be more of them than \f$2^{32}\f$.
+  static constexpr std::size_t offset(std::size_t i, std::size_t stride) { return i * stride; }
+
   std::size_t size(std::size_t i) const { return m_sizes[i]; }
   std::size_t largest_size() const { return m_stride; }
-  const std::uint32_t* neighbors(std::size_t i) const { return m_neighbors.data() + i * m_stride; }
+  const std::uint32_t* neighbors(std::size_t i) const
+  {
+    return m_neighbors.data() + offset(i, m_stride);
+  }
   double radius(std::size_t i) const { return m_radii[i]; }
+  Array<double>&& take_radii() { return std::move(m_radii); }
 
   /// Leaves each point the nearest of its neighbours.
   /// \param points where the points were when the graph was made
@@ -116,7 +124,7 @@ public:
       for (std::size_t i = begin; i < end; ++i) {
         if (sizes[i] >= m_sizes[i] || sizes[i] == 0)
           continue;
-        std::uint32_t* const first = m_neighbors.data() + i * m_stride;
+        std::uint32_t* const first = m_neighbors.data() + offset(i, m_stride);
         std::uint32_t* const last = first + m_sizes[i];
         nearest.clear();
         for (const std::uint32_t* j = first; j != last; ++j)

@@ -15,9 +15,11 @@
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <exception>
 #include <limits>
 #include <thread>
 #include <vector>
@@ -33,27 +35,55 @@ class Neighbor_tree {
   typedef Pointer_property_map<Point_3>::const_type Point_map;
   typedef Search_traits_adapter<std::size_t, Point_map, Search_traits_3<Core_kernel>> Traits;
 
-  /// \cgal builds the tree in one go; but it calls this for each node, which asks the callback
+  /// What a callback said while \cgal built the tree. It must not throw there: the tree would lose
+  /// the memory of its bounding box.
+  struct Building {
+    Progress& progress;
+    const std::thread::id caller = std::this_thread::get_id();
+    std::exception_ptr error = nullptr;
+    std::atomic<bool> stopped{false};
+
+    void ask()
+    {
+      if (stopped)
+        return;
+      try {
+        progress.advance(0.);
+      }
+      catch (...) {
+        error = std::current_exception();
+        stopped = true;
+      }
+    }
+  };
+
+  /// \cgal builds the tree in one go; but it calls this for each node, which asks the callback. If
+  /// that says no, all nodes that are not split yet become leaves.
   class Splitter : public Median_of_max_spread<Traits> {
     typedef Median_of_max_spread<Traits> Base;
-    Progress* m_progress;
-    std::thread::id m_caller = std::this_thread::get_id();
+    Building* m_building;
 
   public:
-    explicit Splitter(Progress& progress) : Base(16), m_progress(&progress) {}
+    explicit Splitter(Building* building) : Base(16), m_building(building) {}
+
+    unsigned int bucket_size() const
+    {
+      return m_building->stopped ? (std::numeric_limits<unsigned int>::max)() : Base::bucket_size();
+    }
 
     template <typename Separator, typename Container>
     void operator()(Separator& separator, Container& c0, Container& c1) const
     {
       const std::size_t much = 1 << 14; // to sort
-      if (c0.size() > much && std::this_thread::get_id() == m_caller)
-        m_progress->advance(0.);
+      if (c0.size() > much && std::this_thread::get_id() == m_building->caller)
+        m_building->ask();
       Base::operator()(separator, c0, c1);
     }
   };
   typedef Kd_tree<Traits, Splitter, Tag_true> Tree;
 
   const Array<Point_3>& m_points;
+  Building m_building;
   Tree m_tree;
 
   typedef Tree::Node_const_handle Node;
@@ -97,12 +127,15 @@ public:
 
   template <typename ConcurrencyTag>
   Neighbor_tree(ConcurrencyTag, const Array<Point_3>& points, Progress& progress)
-      : m_points(points), m_tree(boost::counting_iterator<std::size_t>(0),
-                                 boost::counting_iterator<std::size_t>(points.size()),
-                                 Splitter(progress), Traits(Point_map(points.data())))
+      : m_points(points), m_building{progress},
+        m_tree(boost::counting_iterator<std::size_t>(0),
+               boost::counting_iterator<std::size_t>(points.size()), Splitter(&m_building),
+               Traits(Point_map(points.data())))
   {
     if (!points.empty())
       m_tree.build<ConcurrencyTag>();
+    if (m_building.error)
+      std::rethrow_exception(m_building.error);
   }
 
   Neighbor_tree(const Neighbor_tree&) = delete;

@@ -45,7 +45,10 @@ inline double quadric_residual(const Array<Point_3>& points,
     terms.row(j) << 1., x, y, x * x, x * y, y * y;
     height[j] = d * normal;
   }
-  const Eigen::VectorXd rest = height - terms * terms.colPivHouseholderQr().solve(height);
+  // the normal equations, which are as good here: within a neighbourhood the terms are about 1
+  const Eigen::Matrix<double, 6, 6> products = terms.transpose() * terms;
+  const Eigen::Matrix<double, 6, 1> heights = terms.transpose() * height;
+  const Eigen::VectorXd rest = height - terms * products.colPivHouseholderQr().solve(heights);
   return radius * std::sqrt(rest.squaredNorm() / double(m - 6));
 }
 

@@ -2,7 +2,8 @@
 #ifndef CGAL_BALANCED_FLOW_INTERNAL_MODEL_TRAITS_H
 #define CGAL_BALANCED_FLOW_INTERNAL_MODEL_TRAITS_H
 
-#include <CGAL/Balanced_flow/Curvature_3.h>
+#include <CGAL/Balanced_flow/Tangent_plane_curvature.h>
+#include <CGAL/Balanced_flow/flows.h>
 
 #include <type_traits>
 
@@ -23,6 +24,13 @@ struct Uses_normals : std::false_type {};
 template <typename Curvature>
 struct Uses_normals<Curvature, std::void_t<typename Curvature::Uses_normals>>
     : std::bool_constant<Curvature::Uses_normals::value> {};
+
+/// Whether points are kept from going farther than their neighbours, in all steps together. The
+/// default does not need more, and gets no worse in degenerate places; other flows go where they go.
+template <typename Flow, typename Curvature>
+struct Stays_in_neighborhood
+    : std::bool_constant<std::is_same<Flow, Balanced_flow>::value &&
+                         std::is_same<Curvature, Tangent_plane_curvature>::value> {};
 
 /// The parameters that suit an estimator.
 template <typename Curvature, typename = void>

@@ -21,6 +21,7 @@ struct Flow_result {
   Array<Point_3> points;
   Array<Vector_3> normals; ///< empty if they are not wanted; null vectors where there is no plane
   Array<double> feature_strength; ///< empty if it is not wanted
+  Array<double> radii;            ///< of the neighbourhoods; empty if they are not wanted
   double moved = 0.;              ///< the mean distance in the last step
 
   template <typename T>
@@ -35,7 +36,7 @@ struct Flow_result {
 };
 
 struct Wanted_outputs {
-  bool normals, feature_strength;
+  bool normals, feature_strength, radii;
 };
 
 /// The flow on a point set: in one piece, or block by block if there are more points than `block`.
@@ -66,6 +67,8 @@ Flow_result run_pieces(ConcurrencyTag tag, Point_buffer& buffer, const Flow& flo
       Flow_result::append(result.normals, run.find_normals(), piece);
     if (wanted.feature_strength)
       Flow_result::append(result.feature_strength, run.find_feature_strength(), piece);
+    if (wanted.radii)
+      Flow_result::append(result.radii, piece.graph.take_radii(), piece);
     Flow_result::append(result.points, std::move(piece.points), piece);
   };
 

@@ -106,6 +106,11 @@ inline Vector_3 oriented_normal(const Vector_3& normal, const Vector_3& given)
   return normal * given < 0. ? -normal : normal;
 }
 
+inline Vector_3 not_longer(const Vector_3& d, double length)
+{
+  return d.squared_length() > length * length ? d * (length / std::sqrt(d.squared_length())) : d;
+}
+
 /// From the range and the maps of the caller to plain arrays, through the flow, and back.
 /// Nothing of the caller is written before the flow has ended.
 template <typename ConcurrencyTag, typename PointRange, typename NamedParameters>
@@ -139,6 +144,8 @@ double smooth_point_set(PointRange& points, const std::optional<unsigned int>& k
     typedef std::decay_t<decltype(flow)> Flow;
     typedef std::decay_t<decltype(curvature)> Curvature;
     typedef Flow_plan<Flow, Curvature> Plan;
+    constexpr bool stays_near = Stays_in_neighborhood<Flow, Curvature>::value &&
+                                !is_given<NamedParameters, internal_np::initial_point_map_t>;
     constexpr bool with_strength = is_given<NamedParameters, internal_np::feature_strength_map_t>;
     const unsigned int steps =
         options.number_of_iterations.value_or(Defaults_of<Curvature>::get().number_of_iterations);
@@ -161,7 +168,7 @@ double smooth_point_set(PointRange& points, const std::optional<unsigned int>& k
       start = Array<Point_3>();
       site_of.swap(buffer.site_of);
       return run_pieces(ConcurrencyTag(), buffer, flow, curvature, options, frame.unit,
-                        {normal_map.has_value(), with_strength}, progress);
+                        {normal_map.has_value(), with_strength, stays_near}, progress);
     }();
 
     std::vector<Kernel_vector_3> new_normals;
@@ -178,9 +185,13 @@ double smooth_point_set(PointRange& points, const std::optional<unsigned int>& k
 
     // in the order of the caller: to jump about in memory is work for threads
     Array<Point_3> flowed(site_of.size());
+    Array<double> radii(result.radii.empty() ? 0 : flowed.size());
     const auto gather = [&](std::size_t begin, std::size_t end) {
-      for (std::size_t i = begin; i < end; ++i)
+      for (std::size_t i = begin; i < end; ++i) {
         flowed[i] = result.points[site_of[i]];
+        if (stays_near)
+          radii[i] = result.radii[site_of[i]];
+      }
     };
     for_each_block<ConcurrencyTag>(flowed.size(), progress, 0., gather);
     std::vector<Kernel_point_3> new_points;
@@ -192,7 +203,10 @@ double smooth_point_set(PointRange& points, const std::optional<unsigned int>& k
       const Kernel_point_3& p = get(point_map, *it);
       const Point_3 before =
           frame.to_core(Point_3(to_double(p.x()), to_double(p.y()), to_double(p.z())));
-      const Vector_3 d = (flowed[i] - before) * frame.unit;
+      Vector_3 d = flowed[i] - before;
+      if (stays_near)
+        d = not_longer(d, radii[i]);
+      d = d * frame.unit;
       if (!(std::isfinite(d.x()) && std::isfinite(d.y()) && std::isfinite(d.z())))
         throw std::overflow_error(
             "CGAL::balanced_flow_smooth_point_set: the flow diverges at points[" +

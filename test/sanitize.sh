@@ -1,0 +1,40 @@
+#!/bin/sh
+# SPDX-License-Identifier: GPL-3.0-or-later
+# Runs the core tests under the sanitizers, one program under valgrind, and the headers through
+# clang-tidy and cppcheck. Takes about half an hour: sanitize.sh [address thread valgrind tidy cppcheck]
+set -eu
+cd "$(dirname "$0")/.."
+sh cmake/install_packages.sh g++ clang clang-tidy cppcheck valgrind make cmake binutils libcgal-dev libcgal-demo \
+  libeigen3-dev libtbb-dev libboost-test-dev libboost-program-options-dev
+
+build_and_test() { # name, flags
+  cmake -S . -B "build/$1" -D CMAKE_BUILD_TYPE=Debug -D CMAKE_CXX_FLAGS_DEBUG="-O1 -g1 -D_GLIBCXX_ASSERTIONS $2" \
+    -D CMAKE_CXX_COMPILER=g++ -D BALANCED_FLOW_BUILD_EXAMPLES=OFF
+  cmake --build "build/$1" --parallel 2 --target core_tests
+  ctest --test-dir "build/$1" --output-on-failure -L core
+}
+
+for tool in "${@:-all}"; do
+  case $tool in address|all)
+    build_and_test sanitize-address "-fsanitize=address,undefined -fno-sanitize-recover=all" ;;
+  esac
+  case $tool in thread|all)
+    # Debian's TBB is not built for the sanitizer, which does not see how TBB synchronises
+    export TSAN_OPTIONS="suppressions=$PWD/test/thread_sanitizer.supp"
+    build_and_test sanitize-thread "-fsanitize=thread" ;;
+  esac
+  case $tool in valgrind|all)
+    cmake -S . -B build/valgrind -D CMAKE_BUILD_TYPE=Debug -D CMAKE_CXX_FLAGS_DEBUG="-O1 -g1"
+    cmake --build build/valgrind --parallel 2 --target test_stages
+    valgrind --error-exitcode=1 --leak-check=full --errors-for-leak-kinds=definite \
+      build/valgrind/test/test_stages --run_test='!*noise*' ;;
+  esac
+  case $tool in tidy|all)
+    cmake -S . -B build/tidy -D CMAKE_EXPORT_COMPILE_COMMANDS=ON -D CMAKE_CXX_COMPILER=clang++
+    clang-tidy -p build/tidy --quiet --warnings-as-errors='*' test/test_properties.cpp ;;
+  esac
+  case $tool in cppcheck|all)
+    cppcheck --std=c++17 --language=c++ --enable=warning,performance,portability --inline-suppr \
+      --suppressions-list=test/cppcheck.suppress --error-exitcode=1 --quiet -I include include ;;
+  esac
+done
