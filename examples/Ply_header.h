@@ -25,7 +25,7 @@ inline Ply_header read_ply_header(std::istream& in)
   const auto file_size = static_cast<std::size_t>(in.seekg(0, std::ios::end).tellg());
   in.seekg(0);
   std::map<std::string, std::string> types = {{"index", ""}, {"point", ""}, {"normal", ""}};
-  bool of_points = false;
+  bool of_points = false, has_elements = false;
   for (;;) {
     std::string line, keyword, type, name;
     if (!std::getline(in, line))
@@ -38,13 +38,18 @@ inline Ply_header read_ply_header(std::istream& in)
       header.binary = type != "ascii";
     else if (keyword == "element") {
       of_points = type == "vertex" || type == "vertices";
+      has_elements = true;
+      if (name.empty() || name.find_first_not_of("0123456789") != name.npos)
+        throw std::runtime_error("there is no number of elements in \"" + line + "\"");
       std::size_t count = 0;
-      std::istringstream(name) >> count;
-      if (of_points && count > file_size) // before CGAL reserves memory for them
-        throw std::runtime_error("the file is too short for " + name + " points");
+      if (!(std::istringstream(name) >> count) || count > file_size) // before CGAL reserves memory
+        throw std::runtime_error("the file is too short for " + name +
+                                 (of_points ? " points" : " times " + type));
       if (!of_points)
         std::cerr << "warning: only the points are kept, not the PLY element " << type << std::endl;
     }
+    else if (keyword == "property" && !has_elements)
+      throw std::runtime_error("\"" + line + "\" comes before any element");
     else if (keyword == "property" && type == "list") {
       if (of_points)
         std::cerr << "warning: lists are not kept, as in \"" << line << "\"" << std::endl;
@@ -59,6 +64,8 @@ inline Ply_header read_ply_header(std::istream& in)
       if (of_points && type == "double")
         header.digits = 17;
     }
+    else if (keyword != "ply" && keyword != "comment" && keyword != "obj_info" && !keyword.empty())
+      throw std::runtime_error("\"" + line + "\" is not known in the header of a PLY file");
   }
 
   const std::string real = types["x"];
