@@ -66,7 +66,8 @@ public:
     m_list << "range\t" << low << '\t' << high << '\t' << title << std::endl;
   }
 
-  /// Points as discs across their PCA normals, colored by values if there are any
+  /// Points as discs across their PCA normals, of few neighbors to let noise be seen; colored by values
+  /// if there are any
   void add_points(const std::string& caption, const Points& points, const Numbers& values = {})
   {
     if (m_panels == 0)
@@ -75,7 +76,7 @@ public:
     out << "POINTS " << points.size() << " float\n";
     write_all(out, points);
     out << "POINT_DATA " << points.size() << "\nNORMALS normals float\n";
-    write_all(out, pca_normals(points));
+    write_all(out, normals_in_order(with_normals<CGAL::Sequential_tag>(points, false, 10)));
     if (!values.empty()) {
       out << "SCALARS value float 1\nLOOKUP_TABLE default\n";
       write_all(out, values);

@@ -36,6 +36,11 @@ struct Paper_case {
     noisy = add_noise(clean.points, "Gaussian", noise, 2).points;
   }
 
+  double rms_error(const Points& points) const
+  {
+    return Surface_errors(points, *surface, clean.near_edge).all.rms();
+  }
+
   Numbers signed_errors(const Points& points) const
   {
     return Surface_errors(points, *surface, clean.near_edge).signed_distances;
@@ -66,22 +71,22 @@ inline double largest_distance(const Points& points, const Points& from)
 struct Gaps {
   double largest, share; ///< the share of the surface farther than 1.25 spacings from all points
 
-  Gaps(const Paper_case& data, const Points& points)
+  /// \param places all over the surface, closer to each other than the points
+  Gaps(const Paper_case& data, const Points& places, const Points& points)
   {
     Points projected;
     for (const Point_3& p : points)
       projected.push_back(data.surface->closest(p).point);
     const Nearest_points nearest(projected);
-    const Samples places = sample_mesh(*data.surface, 4 * points.size(), 3);
     std::size_t far = 0;
     Error_sum sum;
-    for (const Point_3& place : places.points) {
+    for (const Point_3& place : places) {
       const double gap = std::sqrt(nearest(place).second) / data.spacing;
       sum.add(gap);
       far += gap > 1.25;
     }
     largest = sum.max();
-    share = double(far) / double(places.points.size());
+    share = double(far) / double(places.size());
   }
 };
 

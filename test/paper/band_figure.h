@@ -12,7 +12,7 @@
 inline void band_figure(const Run_settings& s)
 {
   using namespace CGAL::Point_set_flow;
-  const Paper_case data(load_shape("mannequin-devil", 0), s.points(30000), .01);
+  const Paper_case data(load_shape("mannequin-devil", 0), s.points(12000), .01);
   double band = 0.;
   for (const Seen& seen : what_flows_see(data.noisy))
     band = (std::max)(band, std::abs(seen.directional_curvature));
@@ -31,15 +31,16 @@ inline void band_figure(const Run_settings& s)
   Figure figure(s.folder, "fig5");
   Result_table table;
   std::vector<Numbers> curves;
-  for (const unsigned int n : {1u, 2u, 4u, 8u, 12u, 20u, 40u, 80u, 120u, 200u})
+  for (const unsigned int n : {1u, 2u, 4u, 8u, 12u, 20u, 40u, 100u, 200u})
     curves.push_back({double(n)});
   for (const Run& run : runs) {
-    const auto after = [&](unsigned int steps) {
-      return run_flow(data.noisy, run.flow, {steps, run.update_period});
-    };
-    for (Numbers& row : curves)
-      row.push_back(largest_distance(after(s.steps(unsigned(row[0]))), data.noisy) / band);
-    const Points last = after(s.steps(200)), twelfth = after(12);
+    Points twelfth, last;
+    for (Numbers& row : curves) {
+      last = run_flow(data.noisy, run.flow, {s.steps(unsigned(row[0])), run.update_period});
+      row.push_back(largest_distance(last, data.noisy) / band);
+      if (row[0] == 12.)
+        twelfth = last;
+    }
     const auto outside = [&](const Points& points) {
       double n = 0.;
       for (std::size_t i = 0; i < points.size(); ++i)

@@ -3,16 +3,17 @@
 #define BALANCED_FLOW_PAPER_CUBE_FIGURE_H
 
 #include "Paper_case.h"
-#include "Paper_flow.h"
+#include "Tuning.h"
 
 #include "../shapes.h"
 
-/// Fig. 7: a noisy cube after 200 steps of the static and 12 of the dynamic flow; below, the curvature
+/// Fig. 7: a noisy cube after 200 steps of the static and 12 of the dynamic flow, each with the K that
+/// suits it best; below, the curvature
 inline void cube_figure(const Run_settings& s)
 {
   using namespace CGAL::Point_set_flow;
   const double radius = std::sqrt(3.); // of the cube [-1, 1]^3
-  Points noisy = shapes::cube(s.quick ? 10 : 50);
+  Points noisy = shapes::cube(s.quick ? 10 : 45);
   shapes::add_noise(noisy, .01 * radius);
 
   Figure figure(s.folder, "fig7");
@@ -47,7 +48,9 @@ inline void cube_figure(const Run_settings& s)
     results.push_back(points);
   };
   const auto flow = [&](const Any_flow& f, unsigned int steps, unsigned int update_period) {
-    return run_flow(noisy, f, {s.steps(steps), update_period});
+    return run_tuned_flow(noisy, f, {s.steps(steps), update_period},
+                          [](const Points& p) { return shapes::rms(p, shapes::distance_to_cube); })
+        .points;
   };
   add("a: noisy", "a: noisy", noisy);
   add("b: volume-preserving (7), static, 200 steps", "b: static (7), 200 steps",

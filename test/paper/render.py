@@ -13,10 +13,23 @@ WIDTH = 1200  # pixels; readers see it at about 900
 CAPTION, BAR = 58, 64  # pixels below each row and below all
 CLAY = (0.80, 0.77, 0.70)
 
-# columns, height of a panel by its width, direction to the camera, up, zoom, how far the middle of the view is
-# from that of the first panel (in radii, to the right and up)
+# columns, height of a panel by its width, direction to the camera, up, zoom, and where the middle of the view is,
+# in radii of the first panel to the right and up of its middle. A picture may show some panels of another.
+HEAD = dict(columns=3, aspect=1.05, to_camera=(0.45, -1, 0.1), up=(0, 0, 1), zoom=1.3)
+FACADE = dict(columns=3, aspect=0.8, to_camera=(-0.2, -1, 0.25), up=(0, 0, 1), zoom=4, shift=(-0.25, -0.1))
+BUNNY = dict(columns=3, aspect=0.95, to_camera=(0.1, 0.1, 1), up=(0, 1, 0), zoom=1.35)
 VIEWS = {
-    "fig2": dict(columns=3, aspect=1.15, to_camera=(0.4, 0.2, 1), up=(0, 1, 0), zoom=1.0),
+    "fig2": HEAD,
+    "fig4": dict(columns=3, aspect=0.9, to_camera=(0.5, 0.3, 1), up=(0, 1, 0), zoom=1.3),
+    "fig6": HEAD,
+    "fig7": dict(columns=5, aspect=1.0, to_camera=(1, 0.75, 0.6), up=(0, 0, 1), zoom=0.92),
+    "fig8": dict(columns=3, aspect=0.85, to_camera=(0.8, 0.7, 1), up=(0, 1, 0), zoom=1.3),
+    "fig9_building": FACADE,
+    "fig9_building_surface": FACADE,
+    "fig9_bunny": BUNNY,
+    "fig9_bunny_surface": BUNNY,
+    "scan_before_after": dict(FACADE, columns=2, panels=("fig9_building", (0, 4)), captions=("a scan of CGAL's data", "smoothed with the defaults")),
+    "reconstruction": dict(FACADE, columns=2, panels=("fig9_building_surface", (0, 4)), captions=("surface of the raw points", "surface of the smoothed points")),
 }
 DIVERGING = [(0.02, 0.19, 0.55), (0.35, 0.60, 0.85), (0.93, 0.92, 0.89), (0.90, 0.50, 0.35), (0.55, 0.05, 0.10)]
 SEQUENTIAL = [(0.16, 0.25, 0.52), (0.15, 0.55, 0.60), (0.55, 0.78, 0.40), (0.98, 0.88, 0.25), (0.85, 0.20, 0.10)]
@@ -115,7 +128,8 @@ def caption_actor(text, size, bold=False):
 
 def add_captions(renderer, caption, width):
     for i, text in enumerate(caption.split("|")):
-        actor = caption_actor(text, 19 if i == 0 else 17, bold=i == 0)
+        size = 19 if width >= 350 else 15
+        actor = caption_actor(text, size if i == 0 else size - 2, bold=i == 0)
         actor.SetPosition(width / 2, CAPTION - 26 - 24 * i)
         renderer.AddViewProp(actor)
 
@@ -175,8 +189,11 @@ def add_lights(renderer):
 
 
 def draw(name, data_folder, picture_folder):
-    panels, value_range = read_list(os.path.join(data_folder, name + ".panels"))
     view = VIEWS[name]
+    source, chosen = view.get("panels", (name, None))
+    panels, value_range = read_list(os.path.join(data_folder, source + ".panels"))
+    if chosen:
+        panels = [(panels[i][0], caption) for i, caption in zip(chosen, view["captions"])]
     columns = view["columns"]
     rows = -(-len(panels) // columns)
     panel_width = WIDTH // columns
@@ -230,7 +247,8 @@ def draw(name, data_folder, picture_folder):
 def main():
     data_folder, picture_folder, *names = sys.argv[1:]
     for name in names or VIEWS:
-        if os.path.exists(os.path.join(data_folder, name + ".panels")):
+        source = VIEWS[name].get("panels", (name,))[0]
+        if os.path.exists(os.path.join(data_folder, source + ".panels")):
             draw(name, data_folder, picture_folder)
 
 

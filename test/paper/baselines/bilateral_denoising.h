@@ -37,15 +37,17 @@ inline double typical_offset(const Points& points, const Vectors& normals,
 ///     p <- p + n (sum_j W_c(|p_j - p|) W_s(h_j) h_j) / (sum_j W_c W_s),    h_j = n (p_j - p)
 ///
 /// with Gaussians W_c and W_s of widths sigma_c and sigma_s. Their neighborhood has the radius
-/// 2 sigma_c; so sigma_c is half the radius of ours. sigma_s is the deviation of the heights.
-inline Points bilateral_denoising(Points points, unsigned int k, int iterations)
+/// 2 sigma_c; so sigma_c is half the radius of ours. sigma_s is the deviation of the heights, times
+/// `influence`.
+inline Points bilateral_denoising(Points points, unsigned int k, int iterations,
+                                  double influence = 1.)
 {
   const Neighbor_lists neighbors(points, k);
   double sigma_s = 0.;
   for (int t = 0; t < iterations; ++t) {
     const Vectors normals = normals_in_order(with_normals<CGAL::Sequential_tag>(points, false, k));
     if (t == 0)
-      sigma_s = typical_offset(points, normals, neighbors);
+      sigma_s = influence * typical_offset(points, normals, neighbors);
     Points moved = points;
     for (std::size_t i = 0; i < points.size(); ++i) {
       double sum = 0., weights = 0.;

@@ -18,7 +18,7 @@
 ///
 /// The predictions do not lie along one normal. So points move within the surface, too, where the
 /// planes differ: near edges and wherever normals are noisy.
-inline Points non_iterative(const Points& points, unsigned int k)
+inline Points non_iterative(const Points& points, unsigned int k, double influence = 1.)
 {
   const Neighbor_lists neighbors(points, k);
   Points mollified = points;
@@ -34,7 +34,7 @@ inline Points non_iterative(const Points& points, unsigned int k)
     mollified[i] += sum / weights;
   }
   const Vectors normals = normals_in_order(with_normals<CGAL::Sequential_tag>(mollified, false, k));
-  const double sigma_g = typical_offset(
+  const double sigma_g = influence * typical_offset(
       points, normals_in_order(with_normals<CGAL::Sequential_tag>(points, false, k)), neighbors);
 
   Points moved = points;
