@@ -11,7 +11,7 @@ endif()
 # In a build of this project a missing package is an error; for find_package(BalancedFlow) it
 # means that BalancedFlow was not found, and the caller decides.
 macro(balanced_flow_missing message)
-  if(NOT CMAKE_FIND_PACKAGE_NAME STREQUAL "BalancedFlow")
+  if(NOT balanced_flow_from_config)
     message(FATAL_ERROR "BalancedFlow: ${message}")
   endif()
   set(BalancedFlow_FOUND FALSE)
@@ -29,7 +29,8 @@ if(NOT TARGET Eigen3::Eigen)
   balanced_flow_missing("Eigen 3.3 or newer was not found (Debian, Ubuntu: libeigen3-dev)")
 endif()
 set(EIGEN3_FOUND TRUE) # the name that CGAL's older modules ask for
-include(CGAL_Eigen3_support)
+# By full name: CGAL adds to CMAKE_MODULE_PATH only in the directory that found it first
+include(${CGAL_MODULES_DIR}/CGAL_Eigen3_support.cmake)
 set(BALANCED_FLOW_DEPENDENCIES CGAL::CGAL CGAL::Eigen3_support)
 
 set(balanced_flow_tbb "off (BALANCED_FLOW_WITH_TBB)")
@@ -37,7 +38,7 @@ if(BALANCED_FLOW_WITH_TBB)
   set(balanced_flow_tbb "not found, Parallel_tag will not compile (Debian, Ubuntu: libtbb-dev)")
   find_package(TBB QUIET)
   if(TARGET TBB::tbb)
-    include(CGAL_TBB_support)
+    include(${CGAL_MODULES_DIR}/CGAL_TBB_support.cmake)
     list(APPEND BALANCED_FLOW_DEPENDENCIES CGAL::TBB_support)
     set(balanced_flow_tbb "${TBB_VERSION}, Parallel_tag is available")
   endif()

@@ -2,15 +2,37 @@
 include(GNUInstallDirs)
 include(CMakePackageConfigHelpers)
 set(balanced_flow_config_dir ${CMAKE_INSTALL_DATADIR}/cmake/BalancedFlow)
+set(balanced_flow_pc_dir ${CMAKE_INSTALL_DATADIR}/pkgconfig)
 
 install(DIRECTORY include/ DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} FILES_MATCHING PATTERN "*.h")
-install(TARGETS balanced_flow EXPORT BalancedFlowTargets)
+install(TARGETS balanced_flow EXPORT BalancedFlowTargets INCLUDES DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
 install(EXPORT BalancedFlowTargets NAMESPACE BalancedFlow:: DESTINATION ${balanced_flow_config_dir})
 configure_package_config_file(cmake/BalancedFlowConfig.cmake.in BalancedFlowConfig.cmake
-                              INSTALL_DESTINATION ${balanced_flow_config_dir})
+                              INSTALL_DESTINATION ${balanced_flow_config_dir} PATH_VARS CMAKE_INSTALL_BINDIR)
 write_basic_package_version_file(BalancedFlowConfigVersion.cmake COMPATIBILITY SameMinorVersion
                                  ARCH_INDEPENDENT)
 install(FILES ${PROJECT_BINARY_DIR}/BalancedFlowConfig.cmake
               ${PROJECT_BINARY_DIR}/BalancedFlowConfigVersion.cmake
               cmake/BalancedFlowDependencies.cmake
         DESTINATION ${balanced_flow_config_dir})
+
+# pkg-config: what CGAL's targets add, as CGAL has no file of its own
+set(balanced_flow_pc_cflags "-DCGAL_EIGEN3_ENABLED")
+set(balanced_flow_pc_tbb "")
+if(CGAL::TBB_support IN_LIST BALANCED_FLOW_DEPENDENCIES)
+  string(APPEND balanced_flow_pc_cflags " -DCGAL_LINKED_WITH_TBB")
+  set(balanced_flow_pc_tbb " tbb")
+endif()
+if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
+  string(APPEND balanced_flow_pc_cflags " -frounding-math")
+endif()
+foreach(dir IN LISTS CGAL_INCLUDE_DIRS)
+  cmake_path(NORMAL_PATH dir)
+  if(NOT dir IN_LIST CMAKE_CXX_IMPLICIT_INCLUDE_DIRECTORIES)
+    string(APPEND balanced_flow_pc_cflags " -I${dir}")
+  endif()
+endforeach()
+cmake_path(RELATIVE_PATH CMAKE_INSTALL_PREFIX BASE_DIRECTORY ${CMAKE_INSTALL_FULL_DATADIR}/pkgconfig
+           OUTPUT_VARIABLE balanced_flow_pc_to_prefix)
+configure_file(cmake/balanced-flow.pc.in balanced-flow.pc @ONLY)
+install(FILES ${PROJECT_BINARY_DIR}/balanced-flow.pc DESTINATION ${balanced_flow_pc_dir})
