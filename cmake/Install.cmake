@@ -17,10 +17,10 @@ install(FILES ${PROJECT_BINARY_DIR}/BalancedFlowConfig.cmake
         DESTINATION ${balanced_flow_config_dir})
 
 # pkg-config: what CGAL's targets add, as CGAL has no file of its own
-set(balanced_flow_pc_cflags "-DCGAL_EIGEN3_ENABLED")
+list(TRANSFORM BALANCED_FLOW_DEFINITIONS PREPEND "-D" OUTPUT_VARIABLE balanced_flow_pc_cflags)
+list(JOIN balanced_flow_pc_cflags " " balanced_flow_pc_cflags)
 set(balanced_flow_pc_tbb "")
-if(CGAL::TBB_support IN_LIST BALANCED_FLOW_DEPENDENCIES)
-  string(APPEND balanced_flow_pc_cflags " -DCGAL_LINKED_WITH_TBB")
+if(TBB::tbb IN_LIST BALANCED_FLOW_DEPENDENCIES)
   set(balanced_flow_pc_tbb " tbb")
 endif()
 if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
