@@ -1,20 +1,22 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 include(GNUInstallDirs)
 include(CMakePackageConfigHelpers)
-set(balanced_flow_config_dir ${CMAKE_INSTALL_DATADIR}/cmake/BalancedFlow)
+set(BALANCED_FLOW_CONFIG_DIR ${CMAKE_INSTALL_DATADIR}/cmake/BalancedFlow CACHE STRING
+    "Where BalancedFlowConfig.cmake is installed, below the prefix")
+mark_as_advanced(BALANCED_FLOW_CONFIG_DIR)
 set(balanced_flow_pc_dir ${CMAKE_INSTALL_DATADIR}/pkgconfig)
 
 install(DIRECTORY include/ DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} FILES_MATCHING PATTERN "*.h")
 install(TARGETS balanced_flow EXPORT BalancedFlowTargets INCLUDES DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
-install(EXPORT BalancedFlowTargets NAMESPACE BalancedFlow:: DESTINATION ${balanced_flow_config_dir})
+install(EXPORT BalancedFlowTargets NAMESPACE BalancedFlow:: DESTINATION ${BALANCED_FLOW_CONFIG_DIR})
 configure_package_config_file(cmake/BalancedFlowConfig.cmake.in BalancedFlowConfig.cmake
-                              INSTALL_DESTINATION ${balanced_flow_config_dir} PATH_VARS CMAKE_INSTALL_BINDIR)
+                              INSTALL_DESTINATION ${BALANCED_FLOW_CONFIG_DIR} PATH_VARS CMAKE_INSTALL_BINDIR)
 write_basic_package_version_file(BalancedFlowConfigVersion.cmake COMPATIBILITY SameMinorVersion
                                  ARCH_INDEPENDENT)
 install(FILES ${PROJECT_BINARY_DIR}/BalancedFlowConfig.cmake
               ${PROJECT_BINARY_DIR}/BalancedFlowConfigVersion.cmake
               cmake/BalancedFlowDependencies.cmake
-        DESTINATION ${balanced_flow_config_dir})
+        DESTINATION ${BALANCED_FLOW_CONFIG_DIR})
 
 # pkg-config: what CGAL's targets add, as CGAL has no file of its own
 list(TRANSFORM BALANCED_FLOW_DEFINITIONS PREPEND "-D" OUTPUT_VARIABLE balanced_flow_pc_cflags)

@@ -11,6 +11,7 @@ from conan.tools.files import copy, load, rmdir
 required_conan_version = ">=2.0"
 
 TREE = os.path.join("..", "..", "..")
+CONFIG_DIR = "share/BalancedFlow"
 
 
 class BalancedFlowConan(ConanFile):
@@ -57,6 +58,7 @@ class BalancedFlowConan(ConanFile):
         toolchain.cache_variables["BALANCED_FLOW_BUILD_EXAMPLES"] = False
         toolchain.cache_variables["BALANCED_FLOW_BUILD_PROGRAM"] = bool(self.options.with_program)
         toolchain.cache_variables["BALANCED_FLOW_WITH_TBB"] = bool(self.options.with_tbb)
+        toolchain.cache_variables["BALANCED_FLOW_CONFIG_DIR"] = CONFIG_DIR
         toolchain.generate()
 
     def build(self):
@@ -72,7 +74,7 @@ class BalancedFlowConan(ConanFile):
     def package_info(self):
         # CMake finds the package by its own configuration file, which knows the components
         self.cpp_info.set_property("cmake_find_mode", "none")
-        self.cpp_info.builddirs = [os.path.join("share", "cmake", "BalancedFlow")]
+        self.cpp_info.builddirs = [CONFIG_DIR]
         self.cpp_info.set_property("pkg_config_name", "balanced-flow")
         self.cpp_info.defines = ["CGAL_EIGEN3_ENABLED"]
         if self.options.with_tbb:

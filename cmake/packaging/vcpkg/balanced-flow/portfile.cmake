@@ -11,9 +11,10 @@ vcpkg_check_features(OUT_FEATURE_OPTIONS feature_options FEATURES
 
 set(VCPKG_BUILD_TYPE release) # headers, and a program
 vcpkg_cmake_configure(SOURCE_PATH "${SOURCE_PATH}"
-  OPTIONS ${feature_options} -DBALANCED_FLOW_BUILD_TESTS=OFF -DBALANCED_FLOW_BUILD_EXAMPLES=OFF)
+  OPTIONS ${feature_options} -DBALANCED_FLOW_BUILD_TESTS=OFF -DBALANCED_FLOW_BUILD_EXAMPLES=OFF
+          -DBALANCED_FLOW_CONFIG_DIR=share/BalancedFlow)
 vcpkg_cmake_install()
-vcpkg_cmake_config_fixup(PACKAGE_NAME BalancedFlow CONFIG_PATH share/cmake/BalancedFlow)
+vcpkg_cmake_config_fixup(PACKAGE_NAME BalancedFlow)
 vcpkg_fixup_pkgconfig()
 if("program" IN_LIST FEATURES)
   vcpkg_copy_tools(TOOL_NAMES balanced-flow-smooth AUTO_CLEAN)
