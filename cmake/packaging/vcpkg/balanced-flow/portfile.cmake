@@ -6,13 +6,16 @@ if(NOT EXISTS "${SOURCE_PATH}/cmake/packaging/vcpkg/balanced-flow/portfile.cmake
 endif()
 
 vcpkg_check_features(OUT_FEATURE_OPTIONS feature_options FEATURES
-  program BALANCED_FLOW_BUILD_PROGRAM
-  tbb BALANCED_FLOW_WITH_TBB)
+    program BALANCED_FLOW_BUILD_PROGRAM
+    tbb BALANCED_FLOW_WITH_TBB
+  INVERTED_FEATURES
+    las CMAKE_DISABLE_FIND_PACKAGE_PDAL)
 
 set(VCPKG_BUILD_TYPE release) # headers, and a program
 vcpkg_cmake_configure(SOURCE_PATH "${SOURCE_PATH}"
   OPTIONS ${feature_options} -DBALANCED_FLOW_BUILD_TESTS=OFF -DBALANCED_FLOW_BUILD_EXAMPLES=OFF
-          -DBALANCED_FLOW_CONFIG_DIR=share/BalancedFlow)
+          -DBALANCED_FLOW_CONFIG_DIR=share/BalancedFlow
+  MAYBE_UNUSED_VARIABLES CMAKE_DISABLE_FIND_PACKAGE_PDAL)
 vcpkg_cmake_install()
 vcpkg_cmake_config_fixup(PACKAGE_NAME BalancedFlow)
 vcpkg_fixup_pkgconfig()
