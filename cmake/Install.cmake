@@ -1,10 +1,18 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-include(GNUInstallDirs)
+# After the folder of the program, which says whether it has PDAL
 include(CMakePackageConfigHelpers)
 set(BALANCED_FLOW_CONFIG_DIR ${CMAKE_INSTALL_DATADIR}/cmake/BalancedFlow CACHE STRING
     "Where BalancedFlowConfig.cmake is installed, below the prefix")
 mark_as_advanced(BALANCED_FLOW_CONFIG_DIR)
 set(balanced_flow_pc_dir ${CMAKE_INSTALL_DATADIR}/pkgconfig)
+
+set(balanced_flow_program_has_pdal FALSE)
+if(TARGET balanced-flow-smooth)
+  get_target_property(definitions balanced-flow-smooth COMPILE_DEFINITIONS)
+  if(BALANCED_FLOW_WITH_PDAL IN_LIST definitions)
+    set(balanced_flow_program_has_pdal TRUE)
+  endif()
+endif()
 
 install(DIRECTORY include/ DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} FILES_MATCHING PATTERN "*.h")
 install(TARGETS balanced_flow EXPORT BalancedFlowTargets INCLUDES DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})

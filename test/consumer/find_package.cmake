@@ -5,9 +5,9 @@ file(REMOVE_RECURSE ${build})
 execute_process(
   COMMAND ${CMAKE_COMMAND} -S ${CONSUMER_DIR} -B ${build} -D CMAKE_PREFIX_PATH=${WORK_DIR}/prefix
           -D CMAKE_CXX_COMPILER=${CXX} -D CMAKE_BUILD_TYPE=${BUILD_TYPE} -D WITH_TBB=${WITH_TBB}
-          -D WITH_PROGRAM=${WITH_PROGRAM}
+          -D WITH_PROGRAM=${WITH_PROGRAM} -D WITH_PDAL=${WITH_PDAL}
   COMMAND_ERROR_IS_FATAL ANY)
-execute_process(COMMAND ${CMAKE_COMMAND} --build ${build} COMMAND_ERROR_IS_FATAL ANY)
+execute_process(COMMAND ${CMAKE_COMMAND} --build ${build} --parallel 2 COMMAND_ERROR_IS_FATAL ANY)
 execute_process(COMMAND ${build}/consumer COMMAND_ERROR_IS_FATAL ANY)
 
 # -ffast-math is refused, and the compiler says why

@@ -44,6 +44,8 @@ class BalancedFlowConan(ConanFile):
         self.requires("cgal/[>=5.5]", transitive_headers=True)
         if self.options.with_tbb:
             self.requires("onetbb/[>=2021.3]", transitive_headers=True, transitive_libs=True)
+        if self.options.with_program:
+            self.requires("nlohmann_json/[>=3.2]", visible=False)
 
     def validate(self):
         check_min_cppstd(self, 17)
@@ -57,6 +59,7 @@ class BalancedFlowConan(ConanFile):
         toolchain.cache_variables["BALANCED_FLOW_BUILD_TESTS"] = False
         toolchain.cache_variables["BALANCED_FLOW_BUILD_EXAMPLES"] = False
         toolchain.cache_variables["BALANCED_FLOW_BUILD_PROGRAM"] = bool(self.options.with_program)
+        toolchain.cache_variables["CMAKE_DISABLE_FIND_PACKAGE_PDAL"] = True  # not in ConanCenter
         toolchain.cache_variables["BALANCED_FLOW_WITH_TBB"] = bool(self.options.with_tbb)
         toolchain.cache_variables["BALANCED_FLOW_CONFIG_DIR"] = CONFIG_DIR
         toolchain.generate()
