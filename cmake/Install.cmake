@@ -42,7 +42,9 @@ foreach(dir IN LISTS CGAL_INCLUDE_DIRS)
     string(APPEND balanced_flow_pc_cflags " -I${dir}")
   endif()
 endforeach()
-cmake_path(RELATIVE_PATH CMAKE_INSTALL_PREFIX BASE_DIRECTORY ${CMAKE_INSTALL_FULL_DATADIR}/pkgconfig
-           OUTPUT_VARIABLE balanced_flow_pc_to_prefix)
+foreach(name IN ITEMS PREFIX FULL_INCLUDEDIR)
+  cmake_path(RELATIVE_PATH CMAKE_INSTALL_${name} BASE_DIRECTORY ${CMAKE_INSTALL_FULL_DATADIR}/pkgconfig
+             OUTPUT_VARIABLE balanced_flow_pc_to_${name})
+endforeach()
 configure_file(cmake/balanced-flow.pc.in balanced-flow.pc @ONLY)
 install(FILES ${PROJECT_BINARY_DIR}/balanced-flow.pc DESTINATION ${balanced_flow_pc_dir})

@@ -56,6 +56,7 @@ class BalancedFlowConan(ConanFile):
 
     def generate(self):
         toolchain = CMakeToolchain(self)
+        toolchain.user_presets_path = False  # leaves the tree as it is
         toolchain.cache_variables["BALANCED_FLOW_BUILD_TESTS"] = False
         toolchain.cache_variables["BALANCED_FLOW_BUILD_EXAMPLES"] = False
         toolchain.cache_variables["BALANCED_FLOW_BUILD_PROGRAM"] = bool(self.options.with_program)
