@@ -5,7 +5,7 @@
 set -eu
 cd "$(dirname "$0")/.."
 sh cmake/install_packages.sh g++ clang make cmake binutils libcgal-dev libcgal-demo libeigen3-dev libtbb-dev \
-  libboost-test-dev libboost-program-options-dev
+  libboost-test-dev libboost-program-options-dev nlohmann-json3-dev python3
 
 cmake --preset debug-clang-no-tbb -D BALANCED_FLOW_BUILD_EXAMPLES=OFF
 cmake --build build/debug-clang-no-tbb --parallel 2 --target core_tests

@@ -5,7 +5,7 @@
 set -eu
 cd "$(dirname "$0")/.."
 sh cmake/install_packages.sh g++ clang clang-tidy cppcheck valgrind make cmake binutils libcgal-dev libcgal-demo \
-  libeigen3-dev libtbb-dev libboost-test-dev libboost-program-options-dev
+  libeigen3-dev libtbb-dev libboost-test-dev libboost-program-options-dev nlohmann-json3-dev
 
 build_and_test() { # name, flags
   cmake -S . -B "build/$1" -D CMAKE_BUILD_TYPE=Debug -D CMAKE_CXX_FLAGS_DEBUG="-O1 -g1 -D_GLIBCXX_ASSERTIONS $2" \

@@ -7,15 +7,15 @@
 #include <pdal/Options.hpp>
 #include <pdal/PointTable.hpp>
 #include <pdal/PointView.hpp>
+#include <pdal/StageFactory.hpp>
 #include <pdal/io/BufferReader.hpp>
-#include <pdal/io/LasReader.hpp>
-#include <pdal/io/LasWriter.hpp>
 
 #include <algorithm>
 #include <array>
 #include <cstddef>
 #include <filesystem>
 #include <fstream>
+#include <initializer_list>
 #include <memory>
 #include <random>
 #include <string>
@@ -68,34 +68,76 @@ void set(pdal::PointView& view, pdal::PointId i, const std::array<Id, 3>& ids, c
     view.setField(ids[c], i, value[int(c)]);
 }
 
-/// The length of the record of a point, in bytes, as the header of a file tells
-inline unsigned int record_length(const std::filesystem::path& path)
-{
-  std::ifstream in(path, std::ios::binary);
-  in.seekg(105);
-  const int low = in.get(), high = in.get();
-  return in ? unsigned(low) + 256 * unsigned(high) : 0;
-}
+/// What the header of a file tells of the records of the points
+struct Record_format {
+  unsigned int id = 7, length = 0;
+
+  Record_format() = default;
+  explicit Record_format(const std::filesystem::path& path)
+  {
+    std::ifstream in(path, std::ios::binary);
+    in.seekg(104);
+    unsigned int bytes[3] = {0, 0, 0};
+    for (unsigned int& byte : bytes)
+      byte = static_cast<unsigned char>(in.get());
+    id = bytes[0] & 0x3f; // the other bits tell of compression
+    length = bytes[1] + 256 * bytes[2];
+  }
+
+  /// whether a dimension has its place in each record, so that it is no extra one
+  bool has(const std::string& dimension) const
+  {
+    const auto is_in = [&](std::initializer_list<const char*> names) {
+      return std::find(names.begin(), names.end(), dimension) != names.end();
+    };
+    if (is_in({"Red", "Green", "Blue"}))
+      return id == 2 || id == 3 || id == 5 || id == 7 || id == 8 || id == 10;
+    if (dimension == "Infrared")
+      return id == 8 || id == 10;
+    if (dimension == "GpsTime")
+      return id != 0 && id != 2;
+    return is_in({"X", "Y", "Z", "Intensity", "ReturnNumber", "NumberOfReturns",
+                  "ScanDirectionFlag", "EdgeOfFlightLine", "Classification", "ScanAngleRank",
+                  "UserData", "PointSourceId", "ScanChannel", "ClassFlags", "Synthetic", "KeyPoint",
+                  "Withheld", "Overlap"});
+  }
+
+  /// the others, as PDAL's writer wants to be told; it adds too much if it may choose
+  std::string extra_dimensions(const pdal::PointLayout& layout) const
+  {
+    std::string extra;
+    for (const Id dimension : layout.dims()) {
+      const std::string name = layout.dimName(dimension);
+      if (!has(name))
+        extra += (extra.empty() ? "" : ",") + name + "=" +
+                 pdal::Dimension::interpretationName(layout.dimType(dimension));
+    }
+    return extra;
+  }
+};
 
 /// Writes the points of a view to a file, and that to the stream if they are not the same.
 inline void write_view(const Target& target, pdal::PointTable& table, pdal::PointViewPtr view,
-                       pdal::Options options, unsigned int expected_record_length)
+                       pdal::Options options, const Record_format& format)
 {
   const Spool_file spool;
   const bool is_spooled = Spool_file::is_needed_for(target.path);
   const std::filesystem::path path = is_spooled ? spool.path() : target.path;
   options.add("filename", path.string());
-  options.add("extra_dims", "all");
+  const std::string extra = format.extra_dimensions(*table.layout());
+  if (!extra.empty())
+    options.add("extra_dims", extra);
   options.add("compression", target.format == Format::LAZ ? "true" : "none");
 
   pdal::BufferReader buffer;
   buffer.addView(view);
-  pdal::LasWriter writer;
+  pdal::StageFactory factory;
+  pdal::Stage& writer = *factory.createStage("writers.las");
   writer.setInput(buffer);
   writer.setOptions(options);
   writer.prepare(table);
   writer.execute(table);
-  if (expected_record_length != 0 && record_length(path) != expected_record_length)
+  if (format.length != 0 && Record_format(path).length != format.length)
     throw std::runtime_error(
         "there are bytes in the records of the points that the header does not "
         "describe: PDAL would lose them");
@@ -139,29 +181,34 @@ inline pdal::Dimension::Type type_of(Scalar scalar)
 /// A LAS or LAZ file
 class Las_file : public Point_file {
   mutable pdal::PointTable m_table; // the writer looks up there what was in the header
-  pdal::LasReader m_reader;
+  pdal::StageFactory m_factory;
   pdal::PointViewPtr m_view;
   bool m_has_normals = true;
-  unsigned int m_record_length;
+  las::Record_format m_format;
 
 public:
   /// \param with_normals whether normals are wanted even if there are none in the file
   Las_file(const std::filesystem::path& path, bool with_normals)
-      : m_record_length(las::record_length(path))
+      : m_format(path)
   {
     pdal::Options options;
     options.add("filename", path.string());
     options.add("use_eb_vlr", true); // dimensions of the file's own, also before LAS 1.4
-    m_reader.setOptions(options);
-    m_reader.prepare(m_table);
+    pdal::Stage& reader = *m_factory.createStage("readers.las");
+    reader.setOptions(options);
+    reader.prepare(m_table);
     for (const las::Id id : las::normals)
       m_has_normals = m_has_normals && m_table.layout()->hasDim(id);
     if (with_normals && !m_has_normals) // there is no adding later
       for (const las::Id id : las::normals) {
         m_table.layout()->registerDim(id, pdal::Dimension::Type::Double);
-        m_record_length += unsigned(sizeof(double));
+        m_format.length += unsigned(sizeof(double));
       }
-    m_view = *m_reader.execute(m_table).begin();
+    m_view = *reader.execute(m_table).begin();
+    const auto announced = reader.getMetadata().findChild("count").value<std::size_t>();
+    if (m_view->size() != announced) // PDAL takes what there is
+      throw std::runtime_error("the file ends after " + std::to_string(m_view->size()) + " of " +
+                               std::to_string(announced) + " points");
     load(m_view->size(), m_has_normals);
   }
 
@@ -183,7 +230,7 @@ public:
     }
     pdal::Options options;
     options.add("forward", "all");
-    las::write_view(target, m_table, view, options, m_record_length);
+    las::write_view(target, m_table, view, options, m_format);
   }
 
   void for_each_record(bool with_values, const Visitor& visit) const override
@@ -256,7 +303,10 @@ inline void write_as_las(const Target& target, const Point_file& file)
     options.add(std::string("scale_") + axis, "auto"); // all 31 bits
     options.add(std::string("offset_") + axis, "auto");
   }
-  las::write_view(target, table, view, options, 0);
+  const las::Record_format format;
+  options.add("minor_version", 4); // the first that describes extra dimensions
+  options.add("dataformat_id", format.id);
+  las::write_view(target, table, view, options, format);
 }
 
 #endif // BALANCED_FLOW_SMOOTH_LAS_FILE_H
