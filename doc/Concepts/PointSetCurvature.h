@@ -21,8 +21,10 @@ Each step of the flow first asks for the tangent planes of all points, and then 
 
 A static member function `defaults()` may return the parameters that suit the estimator.
 
-\cgalHasModel `CGAL::Point_set_flow::Tangent_plane_curvature`
-\cgalHasModel `CGAL::Point_set_flow::Covariance_curvature`
+\cgalHasModelsBegin
+\cgalHasModels{CGAL::Point_set_flow::Tangent_plane_curvature}
+\cgalHasModels{CGAL::Point_set_flow::Covariance_curvature}
+\cgalHasModelsEnd
 */
 class PointSetCurvature {
 public:

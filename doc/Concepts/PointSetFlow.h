@@ -12,11 +12,13 @@ by reference, and with
 For the result to follow the data when these are scaled, the motion must scale with the lengths in
 `u`.
 
-\cgalHasModel `CGAL::Point_set_flow::Curvature_flow`
-\cgalHasModel `CGAL::Point_set_flow::Anisotropic_flow`
-\cgalHasModel `CGAL::Point_set_flow::Well_posed_anisotropic_flow`
-\cgalHasModel `CGAL::Point_set_flow::Volume_preserving_flow`
-\cgalHasModel `CGAL::Point_set_flow::Balanced_flow`
+\cgalHasModelsBegin
+\cgalHasModels{CGAL::Point_set_flow::Curvature_flow}
+\cgalHasModels{CGAL::Point_set_flow::Anisotropic_flow}
+\cgalHasModels{CGAL::Point_set_flow::Well_posed_anisotropic_flow}
+\cgalHasModels{CGAL::Point_set_flow::Volume_preserving_flow}
+\cgalHasModels{CGAL::Point_set_flow::Balanced_flow}
+\cgalHasModelsEnd
 */
 class PointSetFlow {
 public:

@@ -10,7 +10,7 @@
 namespace CGAL {
 
 /**
-   \ingroup PkgBalancedFlowRef
+   \ingroup PkgBalancedFlowFunctions
 
    smooths a point set by the *dynamic balanced flow* of Xiao, Miao, Liu and Peng
    \cgalCite{xmlp-dbffpsg}, Eq. (9), Table 1 and section 3.2 of the paper.
@@ -224,7 +224,7 @@ double balanced_flow_smooth_point_set(PointRange& points, unsigned int k,
 }
 
 /**
-   \ingroup PkgBalancedFlowRef
+   \ingroup PkgBalancedFlowFunctions
 
    smooths a point set as above, with numbers of neighbors that are chosen from the data: from the
    spacing and from the noise around each point, and fewer where two sheets of the surface are close
