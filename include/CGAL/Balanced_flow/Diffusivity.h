@@ -38,7 +38,7 @@ public:
 };
 
 /// \ingroup PkgBalancedFlowFlows
-/// The surface variation, Eq. (2), in the middle of a straight crease between two planes whose
+/// The surface variation, equation (2), in the middle of a straight crease between two planes whose
 /// normals differ by `angle` degrees, for points spread evenly over a disc.
 ///
 /// Half a disc of radius 1 has the moments \f$E[s^2] = 1/4\f$ and \f$E[s] = 4/(3\pi)\f$ across the

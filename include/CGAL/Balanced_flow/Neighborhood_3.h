@@ -70,10 +70,10 @@ public:
   /// how far the flow has come: 0 in its first step, 1 in its last
   double time() const { return m_surface.time; }
 
-  /// \f$\sigma\f$ of the Gaussian of Eq. (3), a length
+  /// \f$\sigma\f$ of the Gaussian of equation (3), a length
   double gaussian_width() const { return m_filter_width * m_radius; }
 
-  /// \f$G(x) = e^{-x^2 / 2\sigma^2}\f$ of Eq. (3)
+  /// \f$G(x) = e^{-x^2 / 2\sigma^2}\f$ of equation (3)
   double gaussian(double squared_distance) const
   {
     const double sigma = gaussian_width(), divisor = 2. * sigma * sigma;

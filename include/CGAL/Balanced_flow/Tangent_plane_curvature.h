@@ -22,7 +22,7 @@ namespace Point_set_flow {
 ///
 /// The distance of \f$p_i\f$ from a neighbor \f$p_j\f$ is taken along both normals,
 /// \f$d_j = \frac12 [(p_i - p_j) \cdot n_i \pm (p_i - p_j) \cdot n_j]\f$. On a sphere the two terms
-/// differ in sign only, so that the mean does not shrink a curved surface, as Eq. (3) does. The
+/// differ in sign only, so that the mean does not shrink a curved surface, as equation (3) does. The
 /// directional curvature \f$\bar\kappa_i\f$ is the mean of the \f$d_j\f$, weighted by
 /// - the distance of the neighbor,
 /// - the angle between the two normals, and
@@ -30,7 +30,7 @@ namespace Point_set_flow {
 ///
 /// The last two become stricter from the first step to the last: first the noise must not be taken
 /// for features, in the end features must not be taken for noise. The normals come from the
-/// covariance, Eq. (1), with the same kind of weights.
+/// covariance, equation (1), with the same kind of weights.
 ///
 /// It needs normals and the noise in the neighborhood. Without normals, in the first step, the
 /// weights are Gaussians of the distance alone.
@@ -54,13 +54,14 @@ public:
     return d;
   }
 
-  /// Eq. (1) with weights. The variation, Eq. (2), is what the noise does not explain.
+  /// Equation (1) with weights. The variation, equation (2), is what the noise does not explain.
   Tangent_plane_3 tangent_plane(const Neighborhood_3& neighborhood) const
   {
     return neighborhood.has_normals() ? tangent_plane<true>(neighborhood)
                                       : tangent_plane<false>(neighborhood);
   }
 
+  /// The weighted mean of the \f$d_j\f$, no longer than the noise allows.
   /// \pre `neighborhood.has_normals()`
   Curvature_3 operator()(const Neighborhood_3& neighborhood) const
   {

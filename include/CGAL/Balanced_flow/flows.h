@@ -14,10 +14,10 @@ namespace Point_set_flow {
 struct Flow_point_3 {
   /// \f$n\f$, the unit normal; its side does not matter, \f$\bar\kappa n\f$ is the same for both
   Vector_3 normal;
-  /// \f$\bar\kappa\f$, Eq. (3) and (4), a length: how far the surface is from being balanced at
+  /// \f$\bar\kappa\f$, equations (3) and (4), a length: how far the surface is from being balanced at
   /// the point, positive if the point lies on the side of the normal
   double directional_curvature;
-  /// \f$|\bar\kappa|\f$ without unit: the surface variation, Eq. (2), of the current surface
+  /// \f$|\bar\kappa|\f$ without unit: the surface variation, equation (2), of the current surface
   double variation;
   /// \f$|\kappa_H(G_\sigma \times u)|\f$: the surface variation of the prefiltered surface
   double filtered_variation;
@@ -25,13 +25,14 @@ struct Flow_point_3 {
   Vector_3 forcing;
 };
 
-/// \ingroup PkgBalancedFlowFlows
-/// The right hand sides \f$\partial u / \partial t\f$ of the paper's evolution equations, one
-/// class for each equation. All are models of `PointSetFlow`. `Uses_prefilter` says whether
-/// `filtered_variation` is needed; without it the prefilter is not run.
+/// \addtogroup PkgBalancedFlowFlows
+///
+/// `Uses_prefilter` says whether a flow needs `Flow_point_3::filtered_variation`; without it the
+/// prefilter is not run.
 /// @{
 
-/// Eq. (4), isotropic: \f$-\bar\kappa n\f$. \cgalModels{PointSetFlow}
+/// Equation (4), isotropic: \f$-\bar\kappa n\f$.
+/// \cgalModels{PointSetFlow}
 struct Curvature_flow {
   /// the prefilter is not run
   typedef Tag_false Uses_prefilter;
@@ -42,8 +43,9 @@ struct Curvature_flow {
   }
 };
 
-/// Eq. (5), anisotropic, the diffusivity taken from the noisy surface itself:
-/// \f$-g(|\bar\kappa|)\,\bar\kappa n\f$. \cgalModels{PointSetFlow}
+/// Equation (5), anisotropic, the diffusivity taken from the noisy surface itself:
+/// \f$-g(|\bar\kappa|)\,\bar\kappa n\f$.
+/// \cgalModels{PointSetFlow}
 struct Anisotropic_flow {
   /// the prefilter is not run
   typedef Tag_false Uses_prefilter;
@@ -54,8 +56,9 @@ struct Anisotropic_flow {
   }
 };
 
-/// Eq. (6), the diffusivity taken from the prefiltered surface:
-/// \f$-g(|\kappa_H(G_\sigma \times u)|)\,\bar\kappa n\f$. \cgalModels{PointSetFlow}
+/// Equation (6), the diffusivity taken from the prefiltered surface:
+/// \f$-g(|\kappa_H(G_\sigma \times u)|)\,\bar\kappa n\f$.
+/// \cgalModels{PointSetFlow}
 struct Well_posed_anisotropic_flow {
   /// the prefilter is run
   typedef Tag_true Uses_prefilter;
@@ -66,8 +69,9 @@ struct Well_posed_anisotropic_flow {
   }
 };
 
-/// Eq. (7a), with the forcing term: \f$-g\,\bar\kappa n + (I - u)\f$. The start of Eq. (7b) is
-/// given by the named parameter `initial_point_map`. \cgalModels{PointSetFlow}
+/// Equation (7a), with the forcing term: \f$-g\,\bar\kappa n + (I - u)\f$. The start of equation
+/// (7b) is given by the named parameter `initial_point_map`.
+/// \cgalModels{PointSetFlow}
 struct Volume_preserving_flow {
   /// the prefilter is run
   typedef Tag_true Uses_prefilter;
@@ -78,7 +82,7 @@ struct Volume_preserving_flow {
   }
 };
 
-/// Eq. (9) and Table 1, the forcing term moderated: \f$-g\,\bar\kappa n + (1-g)(I - u)\f$.
+/// Equation (9) and Table 1, the forcing term moderated: \f$-g\,\bar\kappa n + (1-g)(I - u)\f$.
 /// \cgalModels{PointSetFlow}
 struct Balanced_flow {
   /// the prefilter is run
