@@ -28,7 +28,8 @@ for page in *.html; do
   [ "$equations" = 0 ] && continue
   browse --dump-dom "file://$PWD/$page" > "$profile/dom"
   rendered=$(grep -o 'class="MathJax_SVG"' "$profile/dom" | wc -l)
-  errors=$(grep -oE 'class="[^"]*(merror|MathJax_Error)' "$profile/dom" | wc -l)
+  # MathJax shows an error in a red frame
+  errors=$(grep -oE 'class="[^"]*MathJax_Error|stroke="rgb\(204, 0, 0\)"' "$profile/dom" | wc -l)
   echo "$page: $rendered of $equations equations rendered, $errors with errors"
   [ "$rendered" -ge "$equations" ] && [ "$errors" = 0 ] || bad=1
 done
