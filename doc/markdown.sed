@@ -1,5 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-# From Markdown that any viewer shows to what Doxygen takes: a table of contents below the title, and
-# links to the main page, which Doxygen does not find by the name of its file.
+# From Markdown that any viewer shows to what all versions of Doxygen take: a table of contents below the
+# title, and links to pages, which are called like their files but for two.
 1a [TOC]
 s/](manual\.md/](index.html/g
+s/](CHANGES\.md/](history.html/g
+s/](\([a-z_]*\)\.md/](\1.html/g
