@@ -7,8 +7,8 @@ set -eu
 cd "$(dirname "$0")/.."
 sh cmake/install_packages.sh chromium
 sh doc/build_manual.sh
-cd build/manual/doc/html
-mkdir -p ../../pages
+cd build/manual/html
+mkdir -p ../pages
 profile=$(mktemp -d)
 trap 'rm -rf "$profile"' EXIT
 browse() {
@@ -35,7 +35,7 @@ for page in *.html; do
 done
 for page in index design performance accuracy citelist group__PkgBalancedFlowRef group__PkgBalancedFlowFunctions \
   group__PkgBalancedFlowParameters classPointSetFlow; do
-  browse --window-size=1250,2000 --screenshot="../../pages/$page.png" "file://$PWD/$page.html" > /dev/null
+  browse --window-size=1250,2000 --screenshot="../pages/$page.png" "file://$PWD/$page.html" > /dev/null
 done
 echo "pictures: build/manual/pages"
 exit $bad
