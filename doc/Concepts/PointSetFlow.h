@@ -4,10 +4,11 @@
 \cgalConcept
 
 The concept `PointSetFlow` describes the right hand side \f$\partial u / \partial t\f$ of an
-evolution equation, as it is passed to `CGAL::balanced_flow_smooth_point_set()` with the named
-parameter `flow`. A lambda can be a model. A flow is copied, not kept
-by reference, and with
-`CGAL::Parallel_tag` it is called from several threads at once.
+evolution equation.
+
+It is passed to `CGAL::balanced_flow_smooth_point_set()` with the named parameter `flow`. A lambda can
+be a model. A flow is copied, not kept by reference, and with `CGAL::Parallel_tag` it is called from
+several threads at once.
 
 For the result to follow the data when these are scaled, the motion must scale with the lengths in
 `u`.
