@@ -3,7 +3,7 @@
 /// An orthographic camera that turns about the middle of the data, for all panels.
 class Camera {
   /// \param positions of the noisy points: x, y and z in turn
-  constructor(positions) {
+  constructor(positions, is_scan) {
     const axis = k => positions.filter((_, i) => i % 3 === k);
     const low = [], high = [];
     for (let k = 0; k < 3; ++k) { // a few outliers must not make the rest small
@@ -13,12 +13,14 @@ class Camera {
     const sizes = low.map((x, k) => high[k] - x);
     this.middle = low.map((x, k) => (x + high[k]) / 2);
     this.radius = Math.hypot(...sizes) / 2 || 1;
-    // nearly all scans of the ground have z upwards, nearly all models y
-    const z_is_up = sizes[2] < .7 * Math.min(sizes[0], sizes[1]);
+    // nearly all scans have z upwards, nearly all models y
+    const z_is_up = this.z_is_up = is_scan || sizes[2] < .5 * Math.min(sizes[0], sizes[1]);
     const upright = z_is_up ? axis_turn(0, -Math.PI / 2) : [1, 0, 0, 0];
-    this.home = product(product(axis_turn(0, z_is_up ? .6 : .35), axis_turn(1, -.6)), upright);
+    const broadside = 1.4 * sizes[0] < sizes[z_is_up ? 1 : 2] ? Math.PI / 2 : 0;
+    this.home = product(product(axis_turn(0, .4), axis_turn(1, broadside - .6)), upright);
     this.center = this.middle;
     this.rotation = this.home;
+    this.is_home = true; // nobody has moved it
     const seen = [[], []];
     for (let i = 0; i < positions.length; i += 3)
       this.seen(positions.slice(i, i + 3)).slice(0, 2).forEach((x, k) => seen[k].push(x));
@@ -28,6 +30,7 @@ class Camera {
   /// To where it was first, in panels of a size in pixels: what fits in
   reset(width, height) {
     const [right, up] = this.extents;
+    this.is_home = true;
     this.rotation = this.home;
     this.center = this.middle;
     this.pan = [right, up].map(([low, high]) => -(low + high) / 2); // in radii, to the right and up
@@ -59,23 +62,30 @@ class Camera {
 
   /// Turns by angles about the axes of the screen: to the right, down
   turn(right, down) {
+    this.is_home = false;
     const turned = product(product(axis_turn(0, down), axis_turn(1, right)), this.rotation);
     const length = Math.hypot(...turned);
     this.rotation = turned.map(x => x / length);
   }
 
   look_along(axis) {
-    const quarter = Math.PI / 2;
-    this.rotation = axis === "x" ? product(axis_turn(0, -quarter), axis_turn(2, -quarter))
-      : axis === "y" ? axis_turn(0, -quarter) : [1, 0, 0, 0];
+    this.is_home = false;
+    const quarter = Math.PI / 2, z_is_up = this.z_is_up;
+    this.rotation = {
+      x: z_is_up ? product(axis_turn(0, -quarter), axis_turn(2, -quarter)) : axis_turn(1, -quarter),
+      y: axis_turn(0, z_is_up ? -quarter : quarter),
+      z: [1, 0, 0, 0],
+    }[axis];
   }
 
   move(right, up) {
+    this.is_home = false;
     this.pan = [this.pan[0] + right, this.pan[1] + up];
   }
 
   /// Zooms around a point of the view, in radii at zoom 1 from the middle of a panel
   zoom_by(factor, right = 0, up = 0) {
+    this.is_home = false;
     const zoom = Math.min(100, Math.max(.2, this.zoom * factor)), shift = 1 / zoom - 1 / this.zoom;
     this.pan = [this.pan[0] + shift * right, this.pan[1] + shift * up];
     this.zoom = zoom;

@@ -25,14 +25,14 @@ void main() {
   p.xy += pan + .6 * unit_of_pixel * vec2(cos(angle), sin(angle)); // never thinner than a pixel
   gl_Position = vec4(p.xy * clip_per_unit, -p.z * depth_per_unit, 1.);
 
-  vec3 light = normalize(vec3(-.45, .6, .66)), fill = normalize(vec3(.8, .1, .6));
+  vec3 light = normalize(vec3(-.55, .62, .56)), fill = normalize(vec3(.8, .1, .6));
   float diffuse = max(dot(n, light), 0.);
   float shine = pow(max(dot(n, normalize(light + vec3(0., 0., 1.))), 0.), 40.);
   float t = (value - range.x) / (range.y - range.x);
   vec3 base = colored ? texture(colors, vec2((clamp(t, 0., 1.) * 255. + .5) / 256., .5)).rgb
-                      : vec3(.86, .80, .70);
+                      : vec3(.95, .89, .79);
   float lit = diffuse + .3 * max(dot(n, fill), 0.);
-  lit = colored ? .68 + .34 * lit : .26 + .72 * lit;
+  lit = colored ? .68 + .34 * lit : .12 + .84 * lit;
   color = base * lit + (colored ? .05 : .12) * shine;
 }`;
 

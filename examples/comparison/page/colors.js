@@ -7,7 +7,7 @@ const gray_to_orange = ["#d9d9d4", "#e6c99a", "#ee9f4b", "#dd5f2a", "#a51d3a", "
 
 /// The modes for the data: name, what the color bar says, range of values, and colors
 function color_modes({ clouds, noise, radius }) {
-  const modes = [{ name: "shaded", title: "none", help: "light from the upper left" }];
+  const modes = [{ name: "shaded", title: "plain", help: "Lit from the upper left. Each point is a disc in the plane of its neighbors: what glitters is rough." }];
   const smoothed = clouds.filter(cloud => cloud.name !== "none" && cloud.name !== "truth");
   const typical = name => Math.max(...(smoothed.length ? smoothed : clouds).map(
     cloud => quantile(cloud.values[name], .98)));
@@ -27,8 +27,8 @@ function color_modes({ clouds, noise, radius }) {
       "0 where it is flat and free of noise, at most 1/3.",
   });
   modes.push({
-    name: "feature", title: "feature strength", colors: gray_to_orange, low: 0, high: .5, factor: 1,
-    scale: "Feature strength", help: "0 where it is flat, 1/2 at a crease of 60 degrees.",
+    name: "feature", title: "feature strength", colors: gray_to_orange, low: 0, high: 1, factor: 1,
+    scale: "Feature strength", help: "what the flow takes for a feature: 0 where it is flat, 1/2 at a crease of 60 degrees.",
   });
   return modes;
 }

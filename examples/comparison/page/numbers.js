@@ -38,7 +38,8 @@ function write_numbers(data) {
     const row = body.insertRow();
     row.append(element("th", shown_title(title), { scope: "row" }));
     for (const name of names) {
-      const number = number_of(data, title, name);
+      const is_run = title !== "none" || !(name === "seconds" || name === "MB");
+      const number = is_run ? number_of(data, title, name) : NaN;
       const is_best = columns[name][2] && title !== "none" && methods.length > 1 &&
         Math.abs(number) === best(name);
       row.append(element("td", isNaN(number) ? "\u2013" : short(number).replace("-", "\u2212"),

@@ -10,16 +10,14 @@ class Page {
     this.mode = this.modes[data.noise === null ? 0 : 1];
     this.stage = by_id("stage");
     this.camera = new Camera((data.clouds.find(cloud => cloud.name === "none") ||
-      data.clouds[0]).positions);
+      data.clouds[0]).positions, data.noise === null);
     this.make_panels();
     this.make_switches();
     this.read_address();
     this.renderer = new Renderer(this.stage.querySelector("canvas"), data.clouds);
     this.follow_user();
     this.arrange();
-    if (!this.camera.zoom)
-      this.press("0");
-    this.changed();
+    this.draw();
   }
 
   // ---- what is on the page ----
@@ -53,11 +51,12 @@ class Page {
       by_id("modes").append(choice("radio", "mode", mode.title, mode === this.mode,
         () => this.set_mode(mode)));
     for (const cloud of this.data.clouds)
-      by_id("shown").append(choice("checkbox", "cloud", cloud.label, cloud.shown, input => {
-        cloud.shown = input.checked;
-        this.arrange();
-        this.changed();
-      }));
+      by_id("shown").append(choice("checkbox", "cloud", cloud.name === "none" ? "noisy" : cloud.name,
+        cloud.shown, input => {
+          cloud.shown = input.checked;
+          this.arrange();
+          this.changed();
+        }));
   }
 
   set_mode(mode) {
@@ -70,16 +69,16 @@ class Page {
     const sign = x => short(x).replace("-", "\u2212");
     for (const id of ["bar", "low", "high", "scale-name"])
       by_id(id).hidden = !mode.colors;
-    by_id("contrast-label").hidden = !mode.colors;
+    by_id("contrast-label").style.visibility = mode.colors ? "" : "hidden"; // nothing else moves
     by_id("scale-help").textContent = mode.help;
+    by_id("scale").setAttribute("aria-label", mode.colors ? `${mode.scale}, from ${
+      short(mode.low * factor)} to ${short(mode.high * factor)}; ${mode.help}` : mode.help);
     if (!mode.colors)
       return;
     by_id("scale-name").textContent = mode.scale;
     by_id("low").textContent = sign(mode.low * factor);
     by_id("high").textContent = sign(mode.high * factor);
     by_id("bar").style.background = `linear-gradient(90deg, ${mode.colors})`;
-    by_id("scale").setAttribute("aria-label",
-      `${mode.scale}, from ${short(mode.low * factor)} to ${short(mode.high * factor)}; ${mode.help}`);
   }
 
   // ---- where it is ----
@@ -99,6 +98,8 @@ class Page {
     this.stage.style.gridAutoRows = "1fr";
     for (const cloud of this.data.clouds)
       cloud.panel.hidden = !cloud.shown;
+    if (this.camera.is_home)
+      this.press("0"); // in panels of this size
   }
 
   /// The place of a panel below its caption, in pixels of the stage
@@ -168,11 +169,12 @@ class Page {
 
   write_address() {
     const { rotation, center, pan, zoom } = this.camera, digits = x => +x.toFixed(4);
-    const view = [...rotation, ...center, ...pan, zoom].map(digits);
     const values = {
-      color: this.mode.name, clouds: this.clouds().map(cloud => cloud.name), view,
+      color: this.mode.name, clouds: this.clouds().map(cloud => cloud.name),
       size: by_id("size").value, contrast: by_id("contrast").value,
     };
+    if (!this.camera.is_home)
+      values.view = [...rotation, ...center, ...pan, zoom].map(digits);
     this.address = "#" + Object.entries(values).map(([name, value]) => `${name}=${value}`).join("&");
     if (location.hash !== this.address)
       location.replace(this.address);
@@ -184,7 +186,7 @@ class Page {
     const view = (values.get("view") || "").split(",").map(Number);
     if (view.length === 10 && view.every(isFinite) && view[9] > 0)
       Object.assign(this.camera, { rotation: view.slice(0, 4), center: view.slice(4, 7),
-        pan: view.slice(7, 9), zoom: view[9] });
+        pan: view.slice(7, 9), zoom: view[9], is_home: false });
     for (const id of ["size", "contrast"])
       if (values.has(id))
         by_id(id).value = values.get(id);
@@ -214,8 +216,10 @@ class Page {
   draw() {
     by_id("modes").querySelectorAll("input")[this.modes.indexOf(this.mode)].checked = true;
     this.write_scale();
+    for (const id of ["size", "contrast"])
+      by_id(id).setAttribute("aria-valuetext", `${short(2 ** +by_id(id).value)} times`);
     const panels = this.clouds().map(cloud => ({ cloud, box: this.box(cloud) }));
-    const radius = .62 * this.data.clouds[0].spacing * 2 ** +by_id("size").value;
+    const radius = .72 * this.data.clouds[0].spacing * 2 ** +by_id("size").value;
     this.renderer.draw(panels, this.camera, this.mode, this.contrast(), radius);
     if (!document.documentElement.dataset.check)
       this.check(panels);
@@ -241,6 +245,8 @@ function write_about({ input, clouds }) {
     : `All points are drawn, ${clouds[0].points.toLocaleString("en")} in each cloud.`);
   add("Each point is a disc in the plane of its 19 nearest points, found alike in all clouds: what " +
     "glitters is rough. Positions are rounded to 1/65536 of the size of the data, errors are not of the rounded ones.");
+  if (clouds.some(cloud => cloud.values.error))
+    add("Of a noisy cloud, the points outside hide those inside, so it looks redder than it is: make the points smaller.");
   add("Curvature and feature strength are measured alike in all clouds, too, whatever a method knows of " +
     "them: the surface variation of 19 points, and feature_strength_map of this package with k = 24 and no iterations.");
 }
@@ -251,7 +257,7 @@ try {
   write_numbers(data);
   window.page = new Page(data);
 } catch (error) {
-  by_id("stage").replaceChildren(element("p", `${error.message}. The numbers below do not need it.`,
+  by_id("views").replaceChildren(element("p", `${error.message}: no clouds can be shown, only numbers.`,
     { className: "message", role: "alert" }));
   document.documentElement.dataset.check = `failed: ${error.message}`;
 }
