@@ -26,7 +26,7 @@ class Page {
     for (const cloud of this.data.clouds) {
       const rms = number_of(this.data, cloud.title, "rms");
       const roughness = number_of(this.data, cloud.title, "roughness");
-      const caption = element("figcaption");
+      const caption = element("figcaption", "", { title: cloud.title });
       cloud.label = cloud.name === "none" ? "noisy" : cloud.title;
       caption.append(element("b", cloud.label));
       if (!isNaN(rms))
@@ -85,12 +85,14 @@ class Page {
 
   clouds() { return this.data.clouds.filter(cloud => cloud.shown); }
 
-  /// As many columns as make the panels largest
+  /// As many columns as make the clouds largest, as they are seen first
   arrange() {
     const n = this.clouds().length, { clientWidth: width, clientHeight: height } = this.stage;
+    const [across, up] = this.camera.extents.map(([low, high]) => high - low);
+    const caption = this.clouds().length ? this.clouds()[0].panel.firstChild.offsetHeight : 0;
     let columns = 1, best = 0;
     for (let c = 1; c <= n; ++c) {
-      const w = width / c, h = height / Math.ceil(n / c), size = Math.min(w, h) + .1 * Math.max(w, h);
+      const size = Math.min(width / c / across, (height / Math.ceil(n / c) - caption) / up);
       if (size > best)
         [columns, best] = [c, size];
     }
