@@ -241,9 +241,6 @@ int run(const Settings& s)
   if (s.html && data.surface)
     page.add("truth", "truth", data.clean.points, std::vector<double>(data.clean.points.size(), 0.),
              false);
-  if (s.html)
-    page.write((folder / "comparison.html").string(), table);
-
   const std::string explanation =
       "Lengths in thousandths of the radius of the shape, " + std::to_string(map.radius) +
       " in the unit of the data; CD\n"
@@ -267,6 +264,8 @@ int run(const Settings& s)
               << " and less, red " << range * map.radius << " and more.\n";
   if (!csv.flush() || !markdown.flush())
     throw std::runtime_error("cannot write into " + s.output);
+  if (s.html)
+    page.write((folder / "comparison.html").string(), table);
   return all_ran ? EXIT_SUCCESS : EXIT_FAILURE;
 }
 

@@ -110,9 +110,11 @@ public:
     m_clouds.push_back({"", tree});
   }
 
-  /// Throws `std::runtime_error` if the file can not be written.
+  /// Throws `std::runtime_error` if there is no cloud, or the file can not be written.
   void write(const std::string& file, const Result_table& table)
   {
+    if (m_clouds.empty())
+      throw std::runtime_error("there is no cloud that the page could show");
     Tree lines;
     table.for_each_line("", [&](const std::vector<std::string>& line) {
       lines.push_back({"", list(line)});
