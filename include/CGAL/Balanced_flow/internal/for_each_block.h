@@ -47,8 +47,12 @@ void for_each_block(std::size_t n, Progress& progress, double work, const Body& 
   if constexpr (std::is_convertible<ConcurrencyTag, Parallel_tag>::value) {
     // the thread of the caller has its share of the blocks, and is the only one that may ask
     const std::thread::id caller = std::this_thread::get_id();
-    std::atomic<std::size_t> done{0};
+    std::atomic<std::size_t> done;
+    // A task sees what the caller and the tasks that are done have written. TBB makes sure of that,
+    // too, but not in a way that the sanitizer for threads can see.
+    done.store(0, std::memory_order_release);
     const auto run_and_report = [&](std::size_t b) {
+      done.load(std::memory_order_acquire);
       run_block(b);
       const std::size_t so_far = ++done;
       if (std::this_thread::get_id() == caller && so_far >= reported + often)

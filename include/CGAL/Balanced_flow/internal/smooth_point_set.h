@@ -112,6 +112,12 @@ inline Vector_3 not_longer(const Vector_3& d, double length)
   return d.squared_length() > length * length ? d * (length / std::sqrt(d.squared_length())) : d;
 }
 
+[[noreturn]] inline void throw_divergence(const std::string& where)
+{
+  throw std::overflow_error("CGAL::balanced_flow_smooth_point_set: the flow diverges" + where +
+                            ", try a smaller step_length");
+}
+
 /// A point that moves, but not out of the range of its coordinates: the largest `float` stands for
 /// "nothing there" in some scans. If it is not to stay near, that is an error.
 template <typename Kernel_point_3>
@@ -122,9 +128,7 @@ Kernel_point_3 moved(const Kernel_point_3& p, const Vector_3& d, bool stays_near
     const FT moved = coordinate + FT(distance);
     const bool is_finite = std::isfinite(to_double(moved));
     if (!std::isfinite(distance) || !(is_finite || stays_near))
-      throw std::overflow_error(
-          "CGAL::balanced_flow_smooth_point_set: the flow diverges at points[" + std::to_string(i) +
-          "], try a smaller step_length");
+      throw_divergence(" at points[" + std::to_string(i) + "]");
     return is_finite ? moved : coordinate;
   };
   return Kernel_point_3(sum(p.x(), d.x()), sum(p.y(), d.y()), sum(p.z(), d.z()));
@@ -207,6 +211,8 @@ double smooth_point_set(PointRange& points, const std::optional<unsigned int>& k
                         {normal_map.has_value(), with_strength, stays_near}, progress);
     };
     const Flow_result result = in_isolation<ConcurrencyTag>(compute);
+    if (!std::isfinite(result.moved * frame.unit))
+      throw_divergence("");
 
     std::vector<Kernel_vector_3> new_normals;
     if (normal_map) {
