@@ -1,12 +1,15 @@
 #!/bin/sh
 # SPDX-License-Identifier: GPL-3.0-or-later
-# Compiles the headers with all compilers, releases of CGAL and options that they are made for, runs
-# test_properties with each compiler and CGAL, and prints a table: matrix.sh [WORK_DIR]
+# Compiles the headers with all compilers, releases of CGAL and options that they are made for, with all
+# warnings as errors, links and runs the program of test/consumer, and prints a table:
+# matrix.sh [WORK_DIR [properties]], where the last word also runs test_properties in each row.
 # Other releases of CGAL come from Debian's suites trixie and sid, from the mirror of this machine;
-# they are unpacked below WORK_DIR and not installed. Takes about half an hour.
+# they are unpacked below WORK_DIR and not installed. Takes a quarter of an hour, with
+# test_properties half an hour.
 set -eu
 cd "$(dirname "$0")/.."
 work=${1:-build/matrix}
+properties=${2:-}
 mkdir -p "$work"
 work=$(cd "$work" && pwd)
 newest_clang=$(apt-cache search --names-only '^clang-[0-9]+$' | sed 's/ .*//' | sort -t- -k2n | tail -n 1)
@@ -58,41 +61,48 @@ refuses() { # message, command ...: whether the command fails with the message
   ! "$@" > "$work/refused" 2>&1 && grep -q "$message" "$work/refused"
 }
 
-compiles_alone() { # compiler, include
+compiles_alone() { # include
   for header in include/CGAL/*.h include/CGAL/Balanced_flow/*.h; do
     # shellcheck disable=SC2086
-    $1 -fsyntax-only -x c++ $common $warnings $2 "$header" -Wno-pragma-once-outside-header || return
+    g++ -fsyntax-only $common $warnings $1 -x c++ -include "$header" /dev/null || return
   done
 }
 
-properties() { # name, compiler, include
-  # shellcheck disable=SC2086
-  $2 $common $3 -O1 -DCGAL_LINKED_WITH_TBB test/test_properties.cpp -o "$work/$1" -ltbb -pthread && "$work/$1"
+runs() { # name, command ...: whether what the command makes runs
+  program=$work/$1
+  shift
+  "$@" -o "$program" -ltbb -pthread && "$program"
 }
 
 for suite in trixie sid; do unpack_cgal $suite; done
 rm -f "$work/failed"
 
-echo "| compiler | CGAL | Debug | Release | Debug, no TBB | Release, no TBB | headers alone | -ffast-math refused | refused without Eigen | test_properties |"
-echo "|---|---|---|---|---|---|---|---|---|---|"
-for compiler in g++ clang++ "$(echo "$newest_clang" | sed 's/-/++-/')"; do
-  for suite in installed trixie sid; do
-    cgal=$(include_cgal $suite)
+printf '| compiler | CGAL | Debug, TBB, run | Release, TBB | Debug | Release | -ffast-math is refused | no Eigen is refused |'
+[ -z "$properties" ] || printf ' test_properties |'
+printf '\n|---|---|---|---|---|---|---|---|'
+[ -z "$properties" ] || printf -- '---|'
+echo
+tbb=-DCGAL_LINKED_WITH_TBB
+for suite in sid trixie installed; do
+  for compiler in g++ "$(echo "$newest_clang" | sed 's/-/++-/')" clang++; do
     name=$compiler-$suite
     printf '| %s %s | %s |' "$compiler" "$($compiler -dumpfullversion -dumpversion | head -n 1)" "$(cgal_version $suite)"
-    for options in "-DCGAL_LINKED_WITH_TBB" "-DCGAL_LINKED_WITH_TBB -DNDEBUG -O2" "" "-DNDEBUG -O2"; do
-      # shellcheck disable=SC2086
-      result "$name$(echo "$options" | tr -d ' ')" $compiler -fsyntax-only $common $warnings $cgal $options \
-        test/consumer/main.cpp
-    done
-    result "$name-alone" compiles_alone $compiler "$cgal"
-    # shellcheck disable=SC2086
-    result "$name-fast" refuses "must not be compiled with -ffast-math" $compiler -fsyntax-only $common $cgal \
-      -ffast-math test/consumer/main.cpp
-    # shellcheck disable=SC2086
-    result "$name-eigen" refuses "needs Eigen" $compiler -fsyntax-only -std=c++17 -Iinclude $cgal test/consumer/main.cpp
-    result "$name-properties" properties "$name" $compiler "$cgal"
+    # shellcheck disable=SC2046,SC2086
+    {
+      set -- $common $warnings $(include_cgal $suite) test/consumer/main.cpp
+      result "$name-run" runs "$name" $compiler $tbb "$@" test/consumer/other.cpp
+      result "$name-release" $compiler -fsyntax-only $tbb -DNDEBUG -O2 "$@"
+      result "$name-without" $compiler -fsyntax-only "$@"
+      result "$name-release-without" $compiler -fsyntax-only -DNDEBUG -O2 "$@"
+      result "$name-fast" refuses "must not be compiled with -ffast-math" $compiler -fsyntax-only -ffast-math "$@"
+      result "$name-eigen" refuses "needs Eigen" $compiler -fsyntax-only -std=c++17 -Iinclude test/consumer/main.cpp
+      [ -z "$properties" ] || result "$name-properties" runs "$name-properties" $compiler $tbb $common \
+        $(include_cgal $suite) -O1 test/test_properties.cpp
+    }
     echo
   done
 done
+printf '\nEach public header alone, g++, CGAL %s: |' "$(cgal_version sid)"
+result alone compiles_alone "$(include_cgal sid)"
+echo
 [ ! -e "$work/failed" ] || { echo "See" && cat "$work/failed" && exit 1; }

@@ -44,9 +44,9 @@ double neighborhood_radius(const Points& points, std::size_t i, std::size_t k)
   std::vector<Point_3> places = points;
   std::sort(places.begin(), places.end());
   places.erase(std::unique(places.begin(), places.end()), places.end());
-  std::vector<double> distances;
-  for (const Point_3& p : places)
-    distances.push_back(distance(p, points[i]));
+  std::vector<double> distances(places.size());
+  std::transform(places.begin(), places.end(), distances.begin(),
+                 [&](const Point_3& p) { return distance(p, points[i]); });
   std::sort(distances.begin(), distances.end());
   return distances[(std::min)(k, distances.size() - 1)];
 }

@@ -169,7 +169,7 @@ BOOST_AUTO_TEST_CASE(calls_from_arenas_and_tasks)
     BOOST_TEST((cloud == expected));
 
   // whoever waits for a loop does not begin with the next cloud meanwhile
-  std::atomic<int> deepest{0};
+  static std::atomic<int> deepest{0};
   tbb::parallel_for(std::size_t(0), std::size_t(64), [&](std::size_t) {
     static thread_local int depth = 0;
     ++depth;

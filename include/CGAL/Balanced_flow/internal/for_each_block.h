@@ -47,10 +47,7 @@ void for_each_block(std::size_t n, Progress& progress, double work, const Body& 
   if constexpr (std::is_convertible<ConcurrencyTag, Parallel_tag>::value) {
     // the thread of the caller has its share of the blocks, and is the only one that may ask
     const std::thread::id caller = std::this_thread::get_id();
-    std::atomic<std::size_t> done;
-    // A task sees what the caller and the tasks that are done have written. TBB makes sure of that,
-    // too, but not in a way that the sanitizer for threads can see.
-    done.store(0, std::memory_order_release);
+    std::atomic<std::size_t> done{0};
     const auto run_and_report = [&](std::size_t b) {
       done.load(std::memory_order_acquire);
       run_block(b);
@@ -58,6 +55,9 @@ void for_each_block(std::size_t n, Progress& progress, double work, const Body& 
       if (std::this_thread::get_id() == caller && so_far >= reported + often)
         report(so_far);
     };
+    // A task sees what the caller and the tasks that are done have written. TBB makes sure of that,
+    // too, but not in a way that the sanitizer for threads can see.
+    done.store(0, std::memory_order_release);
     tbb::parallel_for(std::size_t(0), blocks, run_and_report, tbb::simple_partitioner());
   }
   else
