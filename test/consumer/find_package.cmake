@@ -10,11 +10,17 @@ execute_process(
 execute_process(COMMAND ${CMAKE_COMMAND} --build ${build} --parallel 2 COMMAND_ERROR_IS_FATAL ANY)
 execute_process(COMMAND ${build}/consumer COMMAND_ERROR_IS_FATAL ANY)
 
-# -ffast-math is refused, and the compiler says why
-execute_process(
-  COMMAND ${CXX} -std=c++17 -ffast-math -E -I ${WORK_DIR}/prefix/include -o ${build}/fast_math.i
-          ${CONSUMER_DIR}/main.cpp
-  RESULT_VARIABLE result ERROR_VARIABLE message OUTPUT_QUIET)
-if(result EQUAL 0 OR NOT message MATCHES "must not be compiled with -ffast-math")
-  message(FATAL_ERROR "-ffast-math is not refused: ${message}")
-endif()
+# What can not work is refused, and the compiler says why
+function(check_refused flags expected)
+  execute_process(
+    COMMAND ${CXX} -std=c++17 ${flags} -E -I ${WORK_DIR}/prefix/include -o ${build}/refused.i
+            ${CONSUMER_DIR}/main.cpp
+    RESULT_VARIABLE result ERROR_VARIABLE message OUTPUT_QUIET)
+  if(result EQUAL 0 OR NOT message MATCHES "${expected}")
+    message(FATAL_ERROR "${flags} is not refused: ${message}")
+  endif()
+endfunction()
+check_refused(-ffast-math "must not be compiled with -ffast-math")
+check_refused(-Ofast "must not be compiled with -ffast-math")
+check_refused(-ffinite-math-only "must not be compiled with -ffast-math")
+check_refused(-DWITHOUT_EIGEN "needs Eigen") # its folder is not among those of the includes

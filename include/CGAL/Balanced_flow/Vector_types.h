@@ -8,6 +8,10 @@
 #error "CGAL::balanced_flow_smooth_point_set must not be compiled with -ffast-math or -ffinite-math-only"
 #endif
 
+#if !__has_include(<Eigen/Core>)
+#error "CGAL::balanced_flow_smooth_point_set needs Eigen 3.3 or newer (Debian, Ubuntu: libeigen3-dev)"
+#endif
+
 #include <CGAL/Simple_cartesian.h>
 
 namespace CGAL {

@@ -28,6 +28,7 @@ namespace internal {
 struct Distance_moments {
   double second, fourth; // about the mean
 
+  // cppcheck-suppress uninitMemberVar // those in an `Array` are not initialised on purpose
   Distance_moments() = default;
 
   /// \param unit the length of 1, to keep fourth powers in the range of `double`
