@@ -11,14 +11,15 @@
 #include <cmath>
 #include <iostream>
 #include <string>
-#include <utility>
+#include <tuple>
 #include <vector>
 
 typedef CGAL::Exact_predicates_inexact_constructions_kernel Kernel;
-typedef std::pair<Kernel::Point_3, Kernel::Vector_3> Point_with_normal;
-typedef std::vector<Point_with_normal> Points;
-typedef CGAL::First_of_pair_property_map<Point_with_normal> Point_map;
-typedef CGAL::Second_of_pair_property_map<Point_with_normal> Normal_map;
+// the point, its normal, and the point as it was scanned
+typedef std::tuple<Kernel::Point_3, Kernel::Vector_3, Kernel::Point_3> Scan_point;
+typedef std::vector<Scan_point> Points;
+typedef CGAL::Nth_of_tuple_property_map<0, Scan_point> Point_map;
+typedef CGAL::Nth_of_tuple_property_map<1, Scan_point> Normal_map;
 typedef CGAL::Shape_detection::Efficient_RANSAC_traits<Kernel, Points, Point_map, Normal_map>
     Traits;
 typedef CGAL::Shape_detection::Efficient_RANSAC<Traits> Ransac;
@@ -34,13 +35,14 @@ int main(int argc, char** argv)
     std::cerr << "cannot read " << file << std::endl;
     return EXIT_FAILURE;
   }
-  const Points scan = points;
+  for (Scan_point& p : points)
+    std::get<2>(p) = std::get<0>(p);
   const double noise = CGAL::estimate_point_set_noise<Concurrency_tag>(points, maps);
 
   CGAL::balanced_flow_smooth_point_set<Concurrency_tag>(points, maps);
 
   Ransac ransac;
-  ransac.set_input(points);
+  ransac.set_input(points); // reorders them
   ransac.add_shape_factory<Plane>();
   Ransac::Parameters parameters;
   parameters.min_points = 100;
@@ -52,10 +54,10 @@ int main(int argc, char** argv)
   std::size_t count = 0;
   for (const auto& shape : ransac.shapes())
     for (const std::size_t i : shape->indices_of_assigned_points()) {
-      sum += shape->squared_distance(scan[i].first);
+      sum += shape->squared_distance(std::get<2>(points[i]));
       ++count;
     }
-  std::cout << ransac.shapes().size() << " planes with " << count << " of " << scan.size()
+  std::cout << ransac.shapes().size() << " planes with " << count << " of " << points.size()
             << " points, rms distance of the scan from them " << std::sqrt(sum / double(count))
             << std::endl;
   return count > 0 ? EXIT_SUCCESS : EXIT_FAILURE;

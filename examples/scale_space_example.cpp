@@ -30,7 +30,7 @@ int main(int argc, char** argv)
 
   Reconstruction reconstruction(points.begin(), points.end());
   reconstruction.increase_scale<Smoother>(); // once: the smoother knows how much noise there is
-  reconstruction.reconstruct_surface(Mesher(0.5));
+  reconstruction.reconstruct_surface(Mesher());
 
   const std::vector<std::array<std::size_t, 3>> triangles(reconstruction.facets_begin(),
                                                           reconstruction.facets_end());

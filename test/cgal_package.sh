@@ -3,7 +3,7 @@
 # Makes the package that can be submitted to CGAL, puts it into the headers of the newest CGAL that
 # Debian has, with the patch, and builds and runs its programs there. Nothing is installed.
 #   cgal_package.sh work_directory [program ...]     (all programs if none is given)
-# Ends with 77 if that CGAL cannot be had.
+# Ends with 77 if that CGAL cannot be had, or is not of the release that $CGAL_RELEASE asks for.
 set -eu
 work=$(mkdir -p "$1" && cd "$1" && pwd)
 shift
@@ -29,6 +29,7 @@ END
 fi
 version=$(sed -n 's/^#define CGAL_VERSION \([0-9]\)/\1/p' "$work/cgal.orig/usr/include/CGAL/version.h")
 echo "== CGAL $version"
+case $version in "${CGAL_RELEASE:-}"*) ;; *) echo "skipped: not CGAL $CGAL_RELEASE" >&2; exit 77 ;; esac
 
 rm -rf "$work/package" "$work/cgal"
 cmake -D OUT="$work/package" -D CGAL_INCLUDE_DIR="$work/cgal.orig/usr/include" -P "$root/cmake/make_cgal_package.cmake"
