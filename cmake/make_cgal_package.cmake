@@ -125,7 +125,7 @@ foreach(page IN ITEMS PackageDescription.txt Balanced_flow.txt)
   fill_template(${page} doc/Balanced_flow/${page})
 endforeach()
 file(MAKE_DIRECTORY ${package}/doc/Balanced_flow/fig)
-file(COPY_FILE ${root}/doc/fig/pipelines_sphere.png ${package}/doc/Balanced_flow/fig/balanced_flow.png)
+file(COPY_FILE ${root}/doc/fig/pipelines_surfaces.png ${package}/doc/Balanced_flow/fig/balanced_flow.png)
 file(WRITE ${package}/doc/Balanced_flow/Doxyfile.in "@INCLUDE = \${CGAL_DOC_PACKAGE_DEFAULTS}
 
 PROJECT_NAME = \"CGAL \${CGAL_DOC_VERSION} - Balanced Flow Smoothing\"

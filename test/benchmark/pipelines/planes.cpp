@@ -1,25 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#ifndef BALANCED_FLOW_BENCHMARK_PLANE_MEASURES_H
-#define BALANCED_FLOW_BENCHMARK_PLANE_MEASURES_H
+#include "Epick_points.h"
 
-#include "Pipelines.h"
+#include "comparison/Numbered_points.h"
+#include "comparison/Smoothing_measures.h"
 
 #include <CGAL/Random.h>
 #include <CGAL/Shape_detection/Efficient_RANSAC.h>
 
 #include <tuple>
 
-/// What is measured of the planes that are found in smoothed points
-struct Plane_measures {
-  double planes = 0.;
-  double share = 0.;    ///< of the points that lie in a plane
-  double residual = 0.; ///< rms distance of these from their planes
-  double of_scan = 0.;  ///< the same for the points of the scan that they were
-};
-
-/// Planes by CGAL's efficient RANSAC, which is random: the mean of some runs.
-inline Plane_measures measure_planes(const Points& scan, const Points& smoothed,
-                                     const Vectors& normals, double epsilon, unsigned int runs)
+Plane_measures measure_planes(const Points& scan, const Points& smoothed, const Vectors& normals,
+                              double epsilon, unsigned int runs)
 {
   // point, normal, point of the scan: the detection reorders its input
   typedef std::tuple<Epick::Point_3, Epick::Vector_3, Epick::Point_3> Smoothed_point;
@@ -31,7 +22,9 @@ inline Plane_measures measure_planes(const Points& scan, const Points& smoothed,
   typedef CGAL::Shape_detection::Efficient_RANSAC<Traits> Ransac;
 
   const Vectors lines =
-      normals.empty() ? normals_in_order(with_normals<Concurrency_tag>(smoothed, false)) : normals;
+      normals.empty()
+          ? normals_in_order(with_normals<CGAL::Parallel_if_available_tag>(smoothed, false))
+          : normals;
   const Epick_points points = to_epick(smoothed), of_scan = to_epick(scan);
   Input input;
   for (std::size_t i = 0; i < points.size(); ++i)
@@ -65,5 +58,3 @@ inline Plane_measures measure_planes(const Points& scan, const Points& smoothed,
     *value /= double(runs);
   return mean;
 }
-
-#endif // BALANCED_FLOW_BENCHMARK_PLANE_MEASURES_H

@@ -2,16 +2,13 @@
 // What CGAL's reconstructions and its plane detection make of points that were smoothed or not:
 // raw, by jets, bilaterally, by this package. Prints Markdown tables, rows as they are done.
 //   benchmark_pipelines [--cases ...] [--output folder] [--quick]
-#include "Benchmark_shapes.h"
-#include "Mesh_measures.h"
 #include "Pipelines.h"
-#include "Plane_measures.h"
+#include "Scans.h"
 
-#include "comparison/Noise_models.h"
+#include "comparison/Smoothers.h"
 
-#include <CGAL/IO/read_points.h>
+#include <CGAL/IO/polygon_mesh_io.h>
 #include <CGAL/estimate_point_set_noise.h>
-#include <CGAL/remove_outliers.h>
 
 #include <boost/program_options.hpp>
 
@@ -21,7 +18,6 @@
 #include <map>
 
 namespace options = boost::program_options;
-namespace smoothers = CGAL::Scale_space_reconstruction_3;
 
 namespace {
 
@@ -37,76 +33,25 @@ struct Settings {
   }
 };
 
-/// Points of a scanned surface and what is known of it
-struct Scan {
-  std::string name;
-  Points points;
-  Truth truth;
-};
-
-Points read_scan(const std::string& name)
-{
-  Points points;
-  if (!CGAL::IO::read_points(CGAL::data_file_path("points_3/" + name), std::back_inserter(points)))
-    throw std::runtime_error("cannot read " + name);
-  return points;
-}
-
-Points without_outliers(Points points, double percent)
-{
-  points.erase(CGAL::remove_outliers<Concurrency_tag>(points, 24,
-                                                      CGAL::parameters::threshold_percent(percent)),
-               points.end());
-  return points;
-}
-
-/// Samples of a mesh with noise: the mesh is the truth
-Scan sampled(const std::string& name, const std::string& shape, const std::string& condition,
-             double noise, std::size_t n)
-{
-  std::shared_ptr<const Mesh_surface> surface = load_shape(shape, n);
-  if (!surface)
-    throw std::runtime_error("cannot read " + shape);
-  const Points clean = sample_mesh(*surface, n, 1).points;
-  return {name, add_noise(clean, condition, noise, 11).points, {surface, clean}};
-}
-
-/// A scan that is known to be clean, with noise: the surface through its points is the truth
-Scan with_noise_added(const std::string& name, const std::string& file, double noise)
-{
-  Points clean = read_scan(file);
-  Unit_sphere_map::of(clean).apply(clean);
-  std::optional<Mesh> mesh = advancing_front(clean);
-  if (!mesh)
-    throw std::runtime_error("no surface through " + file);
-  return {name,
-          add_noise(clean, "Gaussian", noise, 11).points,
-          {std::make_shared<Mesh_surface>(std::move(*mesh)), clean}};
-}
-
-/// A scan as it is: each tenth point is held back, and lies on the true surface but for its noise
-Scan as_scanned(const std::string& name, const std::string& file)
-{
-  Points points = read_scan(file);
-  Unit_sphere_map::of(points).apply(points);
-  std::mt19937 random(1);
-  Scan scan{name, {}, {}};
-  for (const Point_3& p : points)
-    (random() % 10 == 0 ? scan.truth.points : scan.points).push_back(p);
-  return scan;
-}
-
-typedef std::function<std::optional<Mesh>(const std::string& method)> Reconstruct;
+typedef std::function<Reconstructed(const std::string& method)> Reconstruct;
 
 class Benchmark {
   const Settings& m_settings;
+
+  static void print_topology(const Topology& t)
+  {
+    std::printf(" %zu / %zu / %ld", t.components, t.holes, t.handles);
+  }
 
   void print(const Scan& scan, const Names& methods, const char* reconstruction,
              const Reconstruct& reconstruct) const
   {
     std::printf("| %s |", scan.name.c_str());
+    if (scan.topology)
+      print_topology(*scan.topology);
+    std::printf(" |");
     for (const std::string& method : methods) {
-      const std::optional<Mesh> mesh = reconstruct(method);
+      const Reconstructed mesh = reconstruct(method);
       if (!mesh || mesh->number_of_faces() == 0) {
         std::printf(" failed |");
         continue;
@@ -115,13 +60,13 @@ class Benchmark {
         CGAL::IO::write_polygon_mesh(m_settings.output + "/" + scan.name + ", " + reconstruction +
                                          ", " + method + ".off",
                                      *mesh);
-      const Mesh_measures m = measure_mesh(*mesh, scan.truth, m_settings.samples);
-      std::printf(" %zu / %zu / %ld", m.components, m.holes, m.handles);
+      print_topology(topology_of(*mesh));
+      const Mesh_distances m = distances_of(*mesh, scan.truth, m_settings.samples, .03);
       if (scan.truth.surface)
-        std::printf("; %.2f", 1e3 * m.to_truth);
+        std::printf("; %.2f, %.1f%%;", 1e3 * m.to_truth, 100. * m.stray);
       else
-        std::printf("; -");
-      std::printf(" / %.2f |", 1e3 * m.from_truth);
+        std::printf(";");
+      std::printf(" %.2f |", 1e3 * m.from_truth);
       std::fflush(stdout);
     }
     std::printf("\n");
@@ -130,10 +75,10 @@ class Benchmark {
 
   static void print_header(const char* title, const Names& methods)
   {
-    std::printf("\n## %s\n\n| scan |", title);
+    std::printf("\n## %s\n\n| scan | truth |", title);
     for (const std::string& method : methods)
       std::printf(" %s |", method.c_str());
-    std::printf("\n|---|");
+    std::printf("\n|---|---|");
     for (std::size_t i = 0; i < methods.size(); ++i)
       std::printf("---|");
     std::printf("\n");
@@ -200,24 +145,34 @@ class Benchmark {
 
     Names with_pca = names;
     with_pca.push_back("ours, PCA normals");
-    print_header("Poisson", with_pca);
-    for (std::size_t i = 0; i < all.size(); ++i)
-      print(all[i], with_pca, "Poisson", [&](const std::string& method) {
-        const Smoothed& points = smoothed[i].at(method);
-        return poisson(points.points, points.normals);
-      });
+    for (const bool by_tree : {false, true}) {
+      print_header(by_tree ? "Poisson, sides by a spanning tree" : "Poisson, sides known",
+                   with_pca);
+      for (std::size_t i = 0; i < all.size(); ++i) {
+        const Vectors sides = by_tree ? Vectors() : all[i].sides();
+        if (!by_tree && sides.empty())
+          continue; // a scan without a truth: there is only the tree
+        print(all[i], with_pca, by_tree ? "Poisson by tree" : "Poisson",
+              [&](const std::string& method) {
+                const Smoothed& points = smoothed[i].at(method);
+                return poisson(points.points, points.normals, sides);
+              });
+      }
+    }
 
-    const Names scales = {"raw", "weighted PCA, 4 times", "jet, 4 times", "ours"};
-    print_header("Scale space", scales);
-    for (std::size_t i = 0; i < all.size(); ++i)
-      print(all[i], scales, "scale space", [&](const std::string& method) {
-        const Points& points = all[i].points;
-        if (method == "ours")
-          return scale_space(points, 1, smoothers::Balanced_flow_smoother<Epick>());
-        if (method == "jet, 4 times")
-          return scale_space(points, 4, smoothers::Jet_smoother<Epick>());
-        return scale_space(points, method == "raw" ? 0 : 4,
-                           smoothers::Weighted_PCA_smoother<Epick>());
+    const std::vector<std::pair<std::string, Scale_smoother>> scales = {
+        {"raw", Scale_smoother::none},
+        {"weighted PCA, 4 times", Scale_smoother::weighted_pca},
+        {"jet, 4 times", Scale_smoother::jet},
+        {"ours", Scale_smoother::balanced_flow}};
+    const std::map<std::string, Scale_smoother> smoother_of(scales.begin(), scales.end());
+    Names titles;
+    for (const auto& scale : scales)
+      titles.push_back(scale.first);
+    print_header("Scale space", titles);
+    for (const Scan& scan : all)
+      print(scan, titles, "scale space", [&](const std::string& method) {
+        return scale_space(scan.points, smoother_of.at(method));
       });
   }
 
@@ -251,8 +206,9 @@ public:
   void run() const
   {
     std::printf(
-        "Cells: components / holes / handles; rms distances x 1000 of the mesh from the true "
-        "surface / of the true points from the mesh, for a radius of 1.\n");
+        "Cells: components / holes / handles; median distance of the mesh from the true surface, "
+        "share of the mesh that is farther than 30 from it; rms distance of the true points from "
+        "the mesh. Lengths in thousandths of the radius.\n");
     run_surfaces();
     run_planes();
   }
