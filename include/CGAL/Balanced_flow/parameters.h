@@ -4,8 +4,6 @@
 
 #include <CGAL/Named_function_parameters.h>
 
-#include <type_traits>
-
 namespace CGAL {
 namespace Point_set_flow {
 
@@ -53,16 +51,6 @@ struct Named_parameters : public Named_function_parameters<T, Tag, Base> {
 #undef CGAL_BALANCED_FLOW_MEMBER
   /// \endcond
 };
-
-namespace internal {
-template <typename T, typename Tag, typename Base>
-std::true_type test_named_parameters(const Named_function_parameters<T, Tag, Base>*);
-std::false_type test_named_parameters(const void*);
-
-/// Whether a type is a pack of named parameters: tells an `int` meant as `k` from one.
-template <typename T>
-using Is_named_parameters = decltype(test_named_parameters(static_cast<const T*>(nullptr)));
-} // namespace internal
 
 } // namespace Point_set_flow
 

@@ -29,6 +29,14 @@ namespace CGAL {
 namespace Point_set_flow {
 namespace internal {
 
+template <typename T, typename Tag, typename Base>
+std::true_type test_named_parameters(const Named_function_parameters<T, Tag, Base>*);
+std::false_type test_named_parameters(const void*);
+
+/// Whether a type is a pack of named parameters: tells an `int` meant as `k` from one.
+template <typename T>
+using Is_named_parameters = decltype(test_named_parameters(static_cast<const T*>(nullptr)));
+
 template <typename NamedParameters, typename Tag>
 constexpr bool is_given = !parameters::is_default_parameter<NamedParameters, Tag>::value;
 
