@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef BALANCED_FLOW_PAPER_PLANK_FIGURE_H
+#define BALANCED_FLOW_PAPER_PLANK_FIGURE_H
+
+#include "Paper_case.h"
+#include "Tuning.h"
+
+#include "baselines/bilateral_denoising.h"
+#include "baselines/laplacian.h"
+#include "baselines/non_iterative.h"
+
+/// A board with a tongue on one side, a groove in the other and a chamfer
+inline std::unique_ptr<Mesh_surface> plank()
+{
+  return std::make_unique<Mesh_surface>(*prism({{0., 0.},
+                                                {1.2, 0.},
+                                                {1.2, .14},
+                                                {1.34, .14},
+                                                {1.34, .26},
+                                                {1.2, .26},
+                                                {1.2, .4},
+                                                {.1, .4},
+                                                {0., .3},
+                                                {0., .26},
+                                                {.14, .26},
+                                                {.14, .14},
+                                                {0., .14}},
+                                               1.6));
+}
+
+/// Fig. 8: a plank with noise, by the methods that the paper compares, each with the K or the influence
+/// weight that suits it best
+inline void plank_figure(const Run_settings& s)
+{
+  using namespace CGAL::Point_set_flow;
+  const Paper_case data(plank(), s.points(20000), .007);
+  const Points places = sample_mesh(*data.surface, 2 * data.noisy.size(), 3).points;
+  Figure figure(s.folder, "fig8");
+  figure.set_range(-2., 2., "signed distance from the true surface, % of the radius");
+  Result_table table;
+  const auto add = [&](const std::string& title, const std::string& steps, const Points& points) {
+    Result_table::Named_numbers row = errors(data, points);
+    const Gaps gaps(data, places, points);
+    row.erase(row.begin()); // E
+    row.insert(row.end(),
+               {{"drift", percent * tangential_drift(data.noisy, points, data.clean.normals)},
+                {"spacing CV", spacing(points).variation},
+                {"largest gap, spacings", gaps.largest},
+                {"surface in gaps, %", percent * gaps.share}});
+    table.add(title + steps, row);
+    Numbers values = data.signed_errors(points);
+    for (double& v : values)
+      v *= percent;
+    figure.add_points(title + "|rms " + text(row[0].second) + "%, near edges " +
+                          text(row[1].second) + "%, largest gap " + text(gaps.largest, 1),
+                      points, values);
+  };
+  const auto error = [&](const Points& p) { return data.rms_error(p); };
+  const auto flow = [&](const Any_flow& f) {
+    return run_tuned_flow(data.noisy, f, {s.steps(11), 4}, error).points;
+  };
+  add("a: noisy", "", data.noisy);
+  add("b: bilateral", ", 4 iterations",
+      Tuned(
+          influences, [&](double x) { return bilateral_denoising(data.noisy, 20, 4, x); }, error)
+          .points);
+  add("c: volume-preserving (7)", ", 11 steps, L=4", flow(Volume_preserving_flow()));
+  add("d: balanced (9)", ", 11 steps, L=4", flow(Balanced_flow()));
+  add("e: non-iterative, unit areas", "",
+      Tuned(
+          influences, [&](double x) { return non_iterative(data.noisy, 20, x); }, error)
+          .points);
+  add("f: this package, defaults", "", balanced_flow(data.noisy).points);
+  figure.write_table(table);
+}
+
+#endif // BALANCED_FLOW_PAPER_PLANK_FIGURE_H
