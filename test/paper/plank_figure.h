@@ -38,7 +38,7 @@ inline void plank_figure(const Run_settings& s)
   Figure figure(s.folder, "fig8");
   figure.set_range(-2., 2., "signed distance from the true surface, % of the radius");
   Result_table table;
-  const auto add = [&](const std::string& title, const std::string& steps, const Points& points) {
+  const auto add_row = [&](const std::string& title, const Points& points) {
     Result_table::Named_numbers row = errors(data, points);
     const Gaps gaps(data, places, points);
     row.erase(row.begin()); // E
@@ -47,13 +47,16 @@ inline void plank_figure(const Run_settings& s)
                 {"spacing CV", spacing(points).variation},
                 {"largest gap, spacings", gaps.largest},
                 {"surface in gaps, %", percent * gaps.share}});
-    table.add(title + steps, row);
+    table.add(title, row);
+    return "|rms " + text(row[0].second) + "%, near edges " + text(row[1].second) +
+           "%, largest gap " + text(gaps.largest, 1);
+  };
+  const auto add = [&](const std::string& title, const std::string& steps, const Points& points) {
+    const std::string caption = title + add_row(title + steps, points);
     Numbers values = data.signed_errors(points);
     for (double& v : values)
       v *= percent;
-    figure.add_points(title + "|rms " + text(row[0].second) + "%, near edges " +
-                          text(row[1].second) + "%, largest gap " + text(gaps.largest, 1),
-                      points, values);
+    figure.add_points(caption, points, values);
   };
   const auto error = [&](const Points& p) { return data.rms_error(p); };
   const auto flow = [&](const Any_flow& f) {
@@ -71,6 +74,13 @@ inline void plank_figure(const Run_settings& s)
           influences, [&](double x) { return non_iterative(data.noisy, 20, x); }, error)
           .points);
   add("f: this package, defaults", "", balanced_flow(data.noisy).points);
+
+  // with hardly any influence weights, that is without protection of edges
+  const double much = influences.back();
+  add_row("bilateral, 4 iterations, influence x" + text(much, 0),
+          bilateral_denoising(data.noisy, 20, 4, much));
+  add_row("non-iterative, unit areas, influence x" + text(much, 0),
+          non_iterative(data.noisy, 20, much));
   figure.write_table(table);
 }
 

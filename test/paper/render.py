@@ -15,15 +15,15 @@ CLAY = (0.80, 0.77, 0.70)
 
 # columns, height of a panel by its width, direction to the camera, up, zoom, and where the middle of the view is,
 # in radii of the first panel to the right and up of its middle. A picture may show some panels of another.
-HEAD = dict(columns=3, aspect=1.05, to_camera=(0.45, -1, 0.1), up=(0, 0, 1), zoom=1.3)
-FACADE = dict(columns=3, aspect=0.8, to_camera=(-0.2, -1, 0.25), up=(0, 0, 1), zoom=4, shift=(-0.25, -0.1))
-BUNNY = dict(columns=3, aspect=0.95, to_camera=(0.1, 0.1, 1), up=(0, 1, 0), zoom=1.35)
+HEAD = dict(columns=3, aspect=1.05, to_camera=(0.45, -1, 0.1), up=(0, 0, 1), zoom=1.2, shift=(0, 0.06))
+FACADE = dict(columns=3, aspect=0.9, to_camera=(0.25, -1, 0.12), up=(0, 0, 1), zoom=1.17)
+BUNNY = dict(columns=3, aspect=1.0, to_camera=(0.1, 0.1, 1), up=(0, 1, 0), zoom=1.12)
 VIEWS = {
     "fig2": HEAD,
-    "fig4": dict(columns=3, aspect=0.9, to_camera=(0.5, 0.3, 1), up=(0, 1, 0), zoom=1.3),
+    "fig4": dict(columns=3, aspect=0.75, to_camera=(0.5, 0.5, 1), up=(0, 1, 0), zoom=1.2, shift=(0.02, -0.06)),
     "fig6": HEAD,
     "fig7": dict(columns=5, aspect=1.0, to_camera=(1, 0.75, 0.6), up=(0, 0, 1), zoom=0.92),
-    "fig8": dict(columns=3, aspect=0.85, to_camera=(0.8, 0.7, 1), up=(0, 1, 0), zoom=1.3),
+    "fig8": dict(columns=3, aspect=0.8, to_camera=(0.6, 0.7, 1), up=(0, 1, 0), zoom=1.07),
     "fig9_building": FACADE,
     "fig9_building_surface": FACADE,
     "fig9_bunny": BUNNY,

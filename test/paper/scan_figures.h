@@ -13,7 +13,7 @@
 
 /// Fig. 9 for one scan: smoothed by the methods that the paper compares, then surfaces of the results
 /// \param detail the scan with the relief that counts as the whole
-/// \param surface the true one, or null
+/// \param surface the true one if `detail` has no noise, else null
 inline void scan_figure(const Run_settings& s, const std::string& name, const Points& scan,
                         const Points& detail, const Surface* surface)
 {
@@ -46,12 +46,14 @@ inline void scan_figure(const Run_settings& s, const std::string& name, const Po
                       text(quality.bend, 1) + " degrees",
                   points, triangles);
   };
-  add("a: scan", scan);
+  add(surface ? "a: scan, noise added" : "a: scan", scan);
   add("b: dynamic balanced flow (9)",
       run_flow(scan, CGAL::Point_set_flow::Balanced_flow(), {s.steps(12), 4}));
   add("c: bilateral", bilateral_denoising(scan, 20, 4));
   add("d: Laplacian", laplacian(scan, 20, 4));
   add("e: this package, defaults", balanced_flow(scan).points);
+  if (surface)
+    add("f: scan without the noise", detail);
   cloud.write_table(table);
 }
 
