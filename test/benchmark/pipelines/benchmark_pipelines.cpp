@@ -7,7 +7,6 @@
 
 #include "comparison/Smoothers.h"
 
-#include <CGAL/IO/polygon_mesh_io.h>
 #include <CGAL/estimate_point_set_noise.h>
 
 #include <boost/program_options.hpp>
@@ -57,9 +56,9 @@ class Benchmark {
         continue;
       }
       if (!m_settings.output.empty())
-        CGAL::IO::write_polygon_mesh(m_settings.output + "/" + scan.name + ", " + reconstruction +
-                                         ", " + method + ".off",
-                                     *mesh);
+        CGAL::IO::write_OFF(m_settings.output + "/" + scan.name + ", " + reconstruction + ", " +
+                                method + ".off",
+                            *mesh);
       print_topology(topology_of(*mesh));
       const Mesh_distances m = distances_of(*mesh, scan.truth, m_settings.samples, .03);
       if (scan.truth.surface)
