@@ -21,7 +21,7 @@ namespace Scale_space_reconstruction_3 {
    little, so that points hardly move in the following ones, while `Jet_smoother` goes on to
    flatten the shape: one or two iterations suffice.
 
-   \cgalModels `CGAL::Scale_space_reconstruction_3::Smoother`
+   \cgalModels{CGAL::Scale_space_reconstruction_3::Smoother}
 
    \tparam Geom_traits geometric traits class. It must be a model of
    `DelaunayTriangulationTraits_3`. It must have a `RealEmbeddable` field number type. Generally,
