@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # Finds CGAL, Eigen and, unless BALANCED_FLOW_WITH_TBB is off, TBB, and says what it found.
-# Sets BALANCED_FLOW_DEPENDENCIES to the targets to link. Used by the build of this project and,
-# installed, by find_package(BalancedFlow): both see the same.
+# Sets BALANCED_FLOW_DEPENDENCIES to the targets to link, and BALANCED_FLOW_DEFINITIONS to what tells
+# CGAL of them: CGAL's own modules for that are not in all packages of CGAL, nor found in all folders.
+# Used by the build of this project and, installed, by find_package(BalancedFlow): both see the same.
 
 set(BALANCED_FLOW_DEPENDENCIES "")
 if(NOT DEFINED BALANCED_FLOW_WITH_TBB)
@@ -11,7 +12,7 @@ endif()
 # In a build of this project a missing package is an error; for find_package(BalancedFlow) it
 # means that BalancedFlow was not found, and the caller decides.
 macro(balanced_flow_missing message)
-  if(NOT CMAKE_FIND_PACKAGE_NAME STREQUAL "BalancedFlow")
+  if(NOT balanced_flow_from_config)
     message(FATAL_ERROR "BalancedFlow: ${message}")
   endif()
   set(BalancedFlow_FOUND FALSE)
@@ -28,17 +29,19 @@ find_package(Eigen3 3.3 QUIET NO_MODULE)
 if(NOT TARGET Eigen3::Eigen)
   balanced_flow_missing("Eigen 3.3 or newer was not found (Debian, Ubuntu: libeigen3-dev)")
 endif()
-set(EIGEN3_FOUND TRUE) # the name that CGAL's older modules ask for
-include(CGAL_Eigen3_support)
-set(BALANCED_FLOW_DEPENDENCIES CGAL::CGAL CGAL::Eigen3_support)
+set(BALANCED_FLOW_DEPENDENCIES CGAL::CGAL Eigen3::Eigen)
+set(BALANCED_FLOW_DEFINITIONS CGAL_EIGEN3_ENABLED)
 
 set(balanced_flow_tbb "off (BALANCED_FLOW_WITH_TBB)")
 if(BALANCED_FLOW_WITH_TBB)
   set(balanced_flow_tbb "not found, Parallel_tag will not compile (Debian, Ubuntu: libtbb-dev)")
   find_package(TBB QUIET)
   if(TARGET TBB::tbb)
-    include(CGAL_TBB_support)
-    list(APPEND BALANCED_FLOW_DEPENDENCIES CGAL::TBB_support)
+    list(APPEND BALANCED_FLOW_DEPENDENCIES TBB::tbb)
+    if(TARGET TBB::tbbmalloc) # CGAL's concurrent containers, for the examples' and users' sake
+      list(APPEND BALANCED_FLOW_DEPENDENCIES TBB::tbbmalloc)
+    endif()
+    list(APPEND BALANCED_FLOW_DEFINITIONS CGAL_LINKED_WITH_TBB NOMINMAX)
     set(balanced_flow_tbb "${TBB_VERSION}, Parallel_tag is available")
   endif()
 endif()

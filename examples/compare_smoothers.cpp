@@ -4,7 +4,8 @@
 //   compare_smoothers noisy.xyz clean.xyz    the same points in the same order
 //   compare_smoothers scan.xyz               no truth: roughness, spacing, movement and time only
 // Prints a table and writes it as CSV and Markdown, with a cloud colored by its error for each
-// method, into a folder.
+// method, into a folder; with --html also a page that shows the clouds side by side.
+#include "comparison/Comparison_page.h"
 #include "comparison/Noise_models.h"
 #include "comparison/Point_surface.h"
 #include "comparison/measure.h"
@@ -29,7 +30,8 @@ struct Settings {
   std::size_t n;
   unsigned int seed;
   double noise;
-  bool cloud;
+  bool cloud, html;
+  std::size_t html_points;
 };
 
 typedef std::function<Smoothed(const Points&)> Method;
@@ -75,6 +77,8 @@ std::optional<Settings> read_command_line(int argc, char** argv)
     ("cloud", options::bool_switch(&s.cloud), "take the vertices of a mesh file as a scan")
     ("methods", options::value(&s.methods)->multitoken(),
      "some of: none jet bilateral wlop curvature anisotropic well-posed volume-preserving balanced ours")
+    ("html", options::bool_switch(&s.html), "write a page, too, that shows the clouds side by side: of --methods, or noisy, jet, bilateral and ours")
+    ("html-points", options::value(&s.html_points)->default_value(200000), "the number of points that the page draws of a cloud; of more it draws a random sample")
     ("output,o", options::value(&s.output)->default_value("comparison"), "folder of the results");
   options::options_description files;
   files.add_options()("file", options::value(&s.files)->required(), "");
@@ -95,6 +99,8 @@ std::optional<Settings> read_command_line(int argc, char** argv)
     throw std::invalid_argument("one or two files");
   if (s.n < 20 || !(s.noise >= 0.))
     throw std::invalid_argument("--points must be at least 20 and --noise not negative");
+  if (s.html_points < 1)
+    throw std::invalid_argument("--html-points must be at least 1");
   return s;
 }
 
@@ -152,6 +158,42 @@ Noisy_data read_data(const Settings& s, Unit_sphere_map& map)
   return data;
 }
 
+bool is_chosen(const Settings& s, const std::string& method)
+{
+  return s.methods.empty() ||
+         std::find(s.methods.begin(), s.methods.end(), method) != s.methods.end();
+}
+
+/// Whether the page draws a method: one that was asked for, or else one of the best known.
+bool is_drawn(const Settings& s, const std::string& method)
+{
+  return s.html && (s.methods.empty() ? method == "none" || method == "jet" ||
+                                            method == "bilateral" || method == "ours"
+                                      : is_chosen(s, method));
+}
+
+/// What the page says of the data.
+void describe(Comparison_page& page, const Settings& s, const Noisy_data& data,
+              const Unit_sphere_map& map, double noise)
+{
+  const auto name = [](const std::string& file) {
+    return std::filesystem::path(file).filename().string();
+  };
+  std::ostringstream input;
+  if (s.files.size() == 2)
+    input << data.noisy.size() << " points of " << name(s.files[0]) << "; the truth is "
+          << name(s.files[1]);
+  else if (data.surface)
+    input << s.n << " samples of " << name(s.files[0]) << " with Gaussian noise of " << s.noise
+          << "% of the radius, seed " << s.seed;
+  else
+    input << data.noisy.size() << " points of " << name(s.files[0]) << "; the truth is not known";
+  page.set("input", input.str());
+  page.set("radius", map.radius);
+  if (data.surface)
+    page.set("noise", noise);
+}
+
 int run(const Settings& s)
 {
   const std::vector<Named_method> methods = all_methods();
@@ -163,14 +205,15 @@ int run(const Settings& s)
 
   Unit_sphere_map map;
   const Noisy_data data = read_data(s, map);
-  const double range =
-      data.surface ? 2. * Surface_errors(data.noisy, *data.surface, data.clean.near_edge).all.rms()
-                   : 0.;
+  const double noise =
+      data.surface ? Surface_errors(data.noisy, *data.surface, data.clean.near_edge).all.rms() : 0.;
+  const double range = 2. * noise;
+  Comparison_page page(s.html_points);
+  describe(page, s, data, map, noise);
   Result_table table;
   bool all_ran = true;
   for (const Named_method& method : methods) {
-    if (!s.methods.empty() &&
-        std::find(s.methods.begin(), s.methods.end(), method.name) == s.methods.end())
+    if (!is_chosen(s, method.name))
       continue;
     std::cerr << method.title << " ..." << std::endl;
     const std::optional<Run> run = run_in_child([&]() { return method.run(data.noisy); });
@@ -181,6 +224,8 @@ int run(const Settings& s)
     }
     std::vector<double> errors;
     table.add(method.title, measure(data, run->smoothed, run->seconds, run->megabytes, errors));
+    if (is_drawn(s, method.name))
+      page.add(method.name, method.title, run->smoothed.points, errors, true);
     if (!data.surface)
       errors.assign(run->smoothed.points.size(), 0.);
     Points points;
@@ -193,6 +238,9 @@ int run(const Settings& s)
       throw std::runtime_error("cannot write " + file);
   }
 
+  if (s.html && data.surface)
+    page.add("truth", "truth", data.clean.points, std::vector<double>(data.clean.points.size(), 0.),
+             false);
   const std::string explanation =
       "Lengths in thousandths of the radius of the shape, " + std::to_string(map.radius) +
       " in the unit of the data; CD\n"
@@ -216,6 +264,8 @@ int run(const Settings& s)
               << " and less, red " << range * map.radius << " and more.\n";
   if (!csv.flush() || !markdown.flush())
     throw std::runtime_error("cannot write into " + s.output);
+  if (s.html)
+    page.write((folder / "comparison.html").string(), table);
   return all_ran ? EXIT_SUCCESS : EXIT_FAILURE;
 }
 

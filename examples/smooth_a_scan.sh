@@ -5,16 +5,16 @@
 set -eu
 cd "$(dirname "$0")/.."
 sh cmake/install_packages.sh g++ make cmake libcgal-dev libcgal-demo libeigen3-dev libtbb-dev \
-  libboost-program-options-dev f3d xvfb xauth libgl1-mesa-dri imagemagick fonts-dejavu-core
+  libboost-program-options-dev nlohmann-json3-dev f3d xvfb xauth libgl1-mesa-dri imagemagick fonts-dejavu-core
 
 cmake --preset release -D BALANCED_FLOW_BUILD_TESTS=OFF
-cmake --build build/release --parallel 2 --target smooth_point_set reconstruction_example
+cmake --build build/release --parallel 2 --target balanced-flow-smooth reconstruction_example
 
 mkdir -p build/scan
 scan=build/release/libcgal-demo/data/points_3/building.ply
 programs=build/release/examples
 echo "== smoothing $scan"
-$programs/smooth_point_set "$scan" build/scan/smoothed.ply
+$programs/balanced_flow_smooth/balanced-flow-smooth "$scan" build/scan/smoothed.ply
 
 $programs/reconstruction_example "$scan" build/scan/before.off --raw
 $programs/reconstruction_example "$scan" build/scan/after.off

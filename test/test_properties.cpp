@@ -44,9 +44,9 @@ double neighborhood_radius(const Points& points, std::size_t i, std::size_t k)
   std::vector<Point_3> places = points;
   std::sort(places.begin(), places.end());
   places.erase(std::unique(places.begin(), places.end()), places.end());
-  std::vector<double> distances;
-  for (const Point_3& p : places)
-    distances.push_back(distance(p, points[i]));
+  std::vector<double> distances(places.size());
+  std::transform(places.begin(), places.end(), distances.begin(),
+                 [&](const Point_3& p) { return distance(p, points[i]); });
   std::sort(distances.begin(), distances.end());
   return distances[(std::min)(k, distances.size() - 1)];
 }
@@ -180,6 +180,44 @@ BOOST_AUTO_TEST_CASE(any_flow_and_parameters)
         try_flow(seed, Volume_preserving_flow(), Covariance_curvature());
         try_flow(seed, Curvature_flow(), Tangent_plane_curvature());
         try_flow(seed, Well_posed_anisotropic_flow(), Covariance_curvature());
+      },
+      400);
+}
+
+BOOST_AUTO_TEST_CASE(extreme_parameters_end_in_finite_points_or_in_an_error)
+{
+  for_each_seed(
+      [](unsigned int seed) {
+        const Cloud cloud(seed);
+        const auto extreme = [&] {
+          static const double values[] = {0., 5e-324, 1e-300, 1e-100, 1e-10, .5,
+                                          1., 1.9,    1e10,   1e100,  1e308};
+          return values[cloud.number(0, 10)];
+        };
+        BOOST_TEST_CONTEXT("seed " << seed << ", " << cloud.kind << ", " << cloud.points.size()
+                                   << " points")
+        {
+          const auto run = [&](const auto& curvature) {
+            Points points = cloud.points;
+            try {
+              const double moved = smooth<CGAL::Parallel_if_available_tag>(
+                  points, cloud.chance(.5) ? 0 : cloud.number(2, 2147483647),
+                  np::curvature(curvature)
+                      .step_length(extreme())
+                      .filter_width(extreme())
+                      .feature_threshold(extreme())
+                      .block_size(cloud.number(1, 300))
+                      .neighbor_radius(extreme())
+                      .number_of_iterations(cloud.number(0, 4)));
+              check_result(cloud, points, moved);
+            }
+            catch (const std::overflow_error&) {
+              BOOST_TEST((points == cloud.points));
+            }
+          };
+          run(Tangent_plane_curvature());
+          run(Covariance_curvature());
+        }
       },
       400);
 }

@@ -168,6 +168,19 @@ BOOST_AUTO_TEST_CASE(calls_from_arenas_and_tasks)
   for (const Points& cloud : clouds)
     BOOST_TEST((cloud == expected));
 
+  // whoever waits for a loop does not begin with the next cloud meanwhile
+  static std::atomic<int> deepest{0};
+  tbb::parallel_for(std::size_t(0), std::size_t(64), [&](std::size_t) {
+    static thread_local int depth = 0;
+    ++depth;
+    if (depth > deepest)
+      deepest = depth;
+    Points cloud = clouds.front();
+    CGAL::balanced_flow_smooth_point_set<CGAL::Parallel_tag>(cloud);
+    --depth;
+  });
+  BOOST_TEST(deepest == 1);
+
   // one that is cancelled inside of a task does not cancel the others
   tbb::parallel_for(std::size_t(0), clouds.size(), [&](std::size_t i) {
     clouds[i] = noisy;

@@ -4,19 +4,22 @@
 \cgalConcept
 
 The concept `PointSetFlow` describes the right hand side \f$\partial u / \partial t\f$ of an
-evolution equation, as it is passed to `CGAL::balanced_flow_smooth_point_set()` with the named
-parameter `flow`. A lambda can be a model. A flow is copied, not kept
-by reference, and with
-`CGAL::Parallel_tag` it is called from several threads at once.
+evolution equation.
+
+It is passed to `CGAL::balanced_flow_smooth_point_set()` with the named parameter `flow`. A lambda can
+be a model. A flow is copied, not kept by reference, and with `CGAL::Parallel_tag` it is called from
+several threads at once.
 
 For the result to follow the data when these are scaled, the motion must scale with the lengths in
 `u`.
 
-\cgalHasModel `CGAL::Point_set_flow::Curvature_flow`
-\cgalHasModel `CGAL::Point_set_flow::Anisotropic_flow`
-\cgalHasModel `CGAL::Point_set_flow::Well_posed_anisotropic_flow`
-\cgalHasModel `CGAL::Point_set_flow::Volume_preserving_flow`
-\cgalHasModel `CGAL::Point_set_flow::Balanced_flow`
+\cgalHasModelsBegin
+\cgalHasModels{CGAL::Point_set_flow::Curvature_flow}
+\cgalHasModels{CGAL::Point_set_flow::Anisotropic_flow}
+\cgalHasModels{CGAL::Point_set_flow::Well_posed_anisotropic_flow}
+\cgalHasModels{CGAL::Point_set_flow::Volume_preserving_flow}
+\cgalHasModels{CGAL::Point_set_flow::Balanced_flow}
+\cgalHasModelsEnd
 */
 class PointSetFlow {
 public:

@@ -29,6 +29,20 @@ class Result_table {
                        [&](const auto& row) { return !std::isnan(row.second[column]); });
   }
 
+public:
+  typedef std::vector<std::pair<std::string, double>> Named_numbers;
+
+  void add(const std::string& name, const Named_numbers& numbers)
+  {
+    m_columns.clear();
+    m_rows.push_back({name, {}});
+    for (const auto& number : numbers) {
+      m_columns.push_back(number.first);
+      m_rows.back().second.push_back(number.second);
+    }
+  }
+
+  /// Calls `write_row` with the texts of the head and of each row.
   template <typename Write_row>
   void for_each_line(const char* unknown, const Write_row& write_row) const
   {
@@ -43,19 +57,6 @@ class Result_table {
         if (is_used(c))
           line.push_back(text(row.second[c], unknown));
       write_row(line);
-    }
-  }
-
-public:
-  typedef std::vector<std::pair<std::string, double>> Named_numbers;
-
-  void add(const std::string& name, const Named_numbers& numbers)
-  {
-    m_columns.clear();
-    m_rows.push_back({name, {}});
-    for (const auto& number : numbers) {
-      m_columns.push_back(number.first);
-      m_rows.back().second.push_back(number.second);
     }
   }
 

@@ -10,10 +10,10 @@
 namespace CGAL {
 
 /**
-   \ingroup PkgBalancedFlowRef
+   \ingroup PkgBalancedFlowFunctions
 
    smooths a point set by the *dynamic balanced flow* of Xiao, Miao, Liu and Peng
-   \cgalCite{xmlp-dbffpsg}, Eq. (9), Table 1 and section 3.2 of the paper.
+   \cgalCite{xmlp-dbffpsg}. It is given by equation (9), table 1 and section 3.2 of the paper.
 
    In each iteration every point moves along its normal with the speed of its directional
    curvature, slowed down where the surface has features that the noise does not explain, and is
@@ -150,7 +150,7 @@ namespace CGAL {
      \cgalParamNEnd
 
      \cgalParamNBegin{filter_width}
-       \cgalParamDescription{the width \f$\sigma\f$ of the Gaussians of the prefilter and of Eq. (3), in multiples
+       \cgalParamDescription{the width \f$\sigma\f$ of the Gaussians of the prefilter and of equation (3), in multiples
                              of the neighborhood radius, which is the distance of the farthest neighbor}
        \cgalParamType{floating scalar value, not negative}
        \cgalParamDefault{`0.6`, and `0.3` for `Covariance_curvature`; wider if `k` is smaller than suits the noise}
@@ -172,7 +172,7 @@ namespace CGAL {
      \cgalParamNEnd
 
      \cgalParamNBegin{initial_point_map}
-       \cgalParamDescription{a property map with the points from which the flow starts, \f$\chi\f$ of Eq. (7b).
+       \cgalParamDescription{a property map with the points from which the flow starts, \f$\chi\f$ of equation (7b).
                              The points of `point_map` are then only the reference \f$I\f$; the result is
                              written to `point_map`. Constrained points start, and stay, there.}
        \cgalParamType{a model of `ReadablePropertyMap` whose key type is the value type of the
@@ -224,7 +224,7 @@ double balanced_flow_smooth_point_set(PointRange& points, unsigned int k,
 }
 
 /**
-   \ingroup PkgBalancedFlowRef
+   \ingroup PkgBalancedFlowFunctions
 
    smooths a point set as above, with numbers of neighbors that are chosen from the data: from the
    spacing and from the noise around each point, and fewer where two sheets of the surface are close

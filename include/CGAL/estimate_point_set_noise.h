@@ -7,7 +7,7 @@
 namespace CGAL {
 
 /**
-   \ingroup PkgBalancedFlowRef
+   \ingroup PkgBalancedFlowFunctions
 
    estimates the standard deviation of the noise of a point set: of the distances of the points to
    the surface that they were measured on.

@@ -10,19 +10,20 @@
 namespace CGAL {
 namespace Point_set_flow {
 
-/// \ingroup PkgBalancedFlowRef
-/// The curvature of the paper, by covariance analysis: Eq. (1), (2) and (3).
+/// \ingroup PkgBalancedFlowCurvature
+/// The curvature of the paper, by covariance analysis: equations (1), (2) and (3).
 ///
-/// The surface variation has no unit, but Eq. (4) uses it as a speed. So that the result does not
+/// The surface variation has no unit, but equation (4) uses it as a speed. So that the result does not
 /// depend on the unit of the data, the directional curvature is
-/// \f$\bar\kappa_i = \mathrm{sign}\cdot\sigma_n\cdot r\f$ with the neighbourhood radius \f$r\f$.
+/// \f$\bar\kappa_i = \mathrm{sign}\cdot\sigma_n\cdot r\f$ with the neighborhood radius \f$r\f$.
 ///
-/// \cgalModels `PointSetCurvature`
+/// \cgalModels{PointSetCurvature}
 class Covariance_curvature {
 public:
+  /// does not look at normals
   typedef Tag_false Uses_normals;
 
-  /// Eq. (1) to (3)
+  /// equations (1) to (3)
   Curvature_3 operator()(const Neighborhood_3& neighborhood) const
   {
     const internal::Smallest_eigenpair_3 pair =
@@ -31,7 +32,7 @@ public:
     return {pair.vector, pair.variation, sign * pair.variation * neighborhood.radius()};
   }
 
-  /// Eq. (1) and (2) alone
+  /// equations (1) and (2) alone
   Tangent_plane_3 tangent_plane(const Neighborhood_3& neighborhood) const
   {
     const internal::Smallest_eigenpair_3 pair =
@@ -39,7 +40,7 @@ public:
     return {pair.vector, pair.variation};
   }
 
-  /// Dire of Eq. (3): the Gaussian-weighted mean of \f$(n, p - u)\f$ over the neighbours \f$u\f$
+  /// Dire of equation (3): the Gaussian-weighted mean of \f$(n, p - u)\f$ over the neighbors \f$u\f$
   static double direction(const Neighborhood_3& neighborhood, const Vector_3& normal)
   {
     double sum = 0., weights = 0.;

@@ -10,7 +10,7 @@
 namespace CGAL {
 namespace Point_set_flow {
 
-/// \ingroup PkgBalancedFlowRef
+/// \ingroup PkgBalancedFlowFlows
 /// \f$g(x) = 1 / (1 + K x^2)\f$, section 2.3 of the paper: 1 on flat parts, falling towards 0 at
 /// features, and 1/2 where the surface variation is \f$1/\sqrt K\f$.
 class Diffusivity {
@@ -20,11 +20,13 @@ public:
   /// \param feature_threshold the constant \f$K \ge 0\f$, without unit
   explicit Diffusivity(double feature_threshold) : m_feature_threshold(feature_threshold) {}
 
+  /// \f$g\f$ at a surface variation
   double operator()(double variation) const
   {
     return 1. / (1. + m_feature_threshold * variation * variation);
   }
 
+  /// \f$K\f$
   double feature_threshold() const { return m_feature_threshold; }
 
   /// the diffusivity that is 1/2 at the given surface variation, or at 1e-150 if that is larger
@@ -35,8 +37,8 @@ public:
   }
 };
 
-/// \ingroup PkgBalancedFlowRef
-/// The surface variation, Eq. (2), in the middle of a straight crease between two planes whose
+/// \ingroup PkgBalancedFlowFlows
+/// The surface variation, equation (2), in the middle of a straight crease between two planes whose
 /// normals differ by `angle` degrees, for points spread evenly over a disc.
 ///
 /// Half a disc of radius 1 has the moments \f$E[s^2] = 1/4\f$ and \f$E[s] = 4/(3\pi)\f$ across the

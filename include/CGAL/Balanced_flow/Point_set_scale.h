@@ -5,14 +5,14 @@
 namespace CGAL {
 namespace Point_set_flow {
 
-/// \ingroup PkgBalancedFlowRef
-/// The noise and the spacing of a point set, and the neighbourhood size that suits them.
+/// \ingroup PkgBalancedFlowFunctions
+/// The noise and the spacing of a point set, and the neighborhood size that suits them.
 struct Point_set_scale {
   /// the standard deviation of the distance to the surface, in the unit of the data
   double noise = 0.;
   /// the side of the square that each point has for itself, in the unit of the data
   double spacing = 0.;
-  /// the number of neighbours that suits this noise: about what `balanced_flow_smooth_point_set()`
+  /// the number of neighbors that suits this noise: about what `balanced_flow_smooth_point_set()`
   /// takes if it is given none
   unsigned int k = 24;
 };

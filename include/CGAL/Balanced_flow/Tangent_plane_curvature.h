@@ -16,30 +16,32 @@
 namespace CGAL {
 namespace Point_set_flow {
 
-/// \ingroup PkgBalancedFlowRef
+/// \ingroup PkgBalancedFlowCurvature
 /// The directional curvature as the distance of a point from the tangent planes of its
-/// neighbourhood, with weights that respect features. The default.
+/// neighborhood, with weights that respect features. The default.
 ///
-/// The distance of \f$p_i\f$ from a neighbour \f$p_j\f$ is taken along both normals,
+/// The distance of \f$p_i\f$ from a neighbor \f$p_j\f$ is taken along both normals,
 /// \f$d_j = \frac12 [(p_i - p_j) \cdot n_i \pm (p_i - p_j) \cdot n_j]\f$. On a sphere the two terms
-/// differ in sign only, so that the mean does not shrink a curved surface, as Eq. (3) does. The
+/// differ in sign only, so that the mean does not shrink a curved surface, as equation (3) does. The
 /// directional curvature \f$\bar\kappa_i\f$ is the mean of the \f$d_j\f$, weighted by
-/// - the distance of the neighbour,
+/// - the distance of the neighbor,
 /// - the angle between the two normals, and
 /// - \f$d_j\f$ itself, against the noise: what lies farther off belongs to another sheet.
 ///
 /// The last two become stricter from the first step to the last: first the noise must not be taken
 /// for features, in the end features must not be taken for noise. The normals come from the
-/// covariance, Eq. (1), with the same kind of weights.
+/// covariance, equation (1), with the same kind of weights.
 ///
 /// It needs normals and the noise in the neighborhood. Without normals, in the first step, the
 /// weights are Gaussians of the distance alone.
 ///
-/// \cgalModels `PointSetCurvature`
+/// \cgalModels{PointSetCurvature}
 class Tangent_plane_curvature {
 public:
+  /// looks at the normals of the step before, and at the noise
   typedef Tag_true Uses_normals;
 
+  /// what suits it: 5 steps, and 60 (noise / spacing)^0.7 neighbors, from 24 to 128
   static Curvature_defaults defaults()
   {
     Curvature_defaults d;
@@ -52,13 +54,14 @@ public:
     return d;
   }
 
-  /// Eq. (1) with weights. The variation, Eq. (2), is what the noise does not explain.
+  /// Equation (1) with weights. The variation, equation (2), is what the noise does not explain.
   Tangent_plane_3 tangent_plane(const Neighborhood_3& neighborhood) const
   {
     return neighborhood.has_normals() ? tangent_plane<true>(neighborhood)
                                       : tangent_plane<false>(neighborhood);
   }
 
+  /// The weighted mean of the \f$d_j\f$, no longer than the noise allows.
   /// \pre `neighborhood.has_normals()`
   Curvature_3 operator()(const Neighborhood_3& neighborhood) const
   {
@@ -73,7 +76,7 @@ public:
       const Lanes_3 d = two.differences(j), normals = two.normals(j);
       const Lanes z = d * two.normal, cosine = normals * two.normal;
       const Lanes distance = -two.mean_height(z, d * normals, cosine);
-      // a point too far off for all its neighbours still comes nearer, but not at once
+      // a point too far off for all its neighbors still comes nearer, but not at once
       const Lanes far = (distance * distance * residual).min(farthest);
       const Lanes weight = internal::bell(weigh.near(d.squared_length(), z * z) +
                                           weigh.angle.exponent(cosine) + far);
@@ -90,7 +93,7 @@ private:
 
   // in multiples of the noise
   static constexpr double residual_width = 1.8, slab_width = 1.5;
-  // weights of neighbours, each of which weighs 1 at most
+  // weights of neighbors, each of which weighs 1 at most
   static constexpr double weight_before = .05, few = .001;
   // the exponent of what is too far off to count
   static constexpr double farthest = 7.;
@@ -154,7 +157,7 @@ private:
     moments.yy = yy.sum(), moments.yz = yz.sum(), moments.zz = zz.sum();
     moments.add(Vector_3(x.sum(), y.sum(), z.sum()) / total, -total);
     if constexpr (has_normals) {
-      // The plane of the step before counts, too, though little: where hardly any neighbours are
+      // The plane of the step before counts, too, though little: where hardly any neighbors are
       // left, their tiny weights would make the result depend on rounding.
       const double before = weight_before / (2. * weigh.distance);
       const Vector_3& n = two.normal;

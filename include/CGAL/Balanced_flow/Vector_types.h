@@ -8,18 +8,23 @@
 #error "CGAL::balanced_flow_smooth_point_set must not be compiled with -ffast-math or -ffinite-math-only"
 #endif
 
+#if !__has_include(<Eigen/Core>)
+#error "CGAL::balanced_flow_smooth_point_set needs Eigen 3.3 or newer (Debian, Ubuntu: libeigen3-dev)"
+#endif
+
 #include <CGAL/Simple_cartesian.h>
 
 namespace CGAL {
 namespace Point_set_flow {
 
-/// \ingroup PkgBalancedFlowRef
+/// \addtogroup PkgBalancedFlowFlows
+/// @{
+
 /// The geometry of the numeric core: whatever the kernel of the caller, also with `float`
 /// coordinates, the flow is computed in double precision.
-/// @{
 typedef Simple_cartesian<double> Core_kernel;
-typedef Core_kernel::Point_3 Point_3;
-typedef Core_kernel::Vector_3 Vector_3;
+typedef Core_kernel::Point_3 Point_3;   ///< a point of the core
+typedef Core_kernel::Vector_3 Vector_3; ///< a vector of the core
 /// @}
 
 } // namespace Point_set_flow

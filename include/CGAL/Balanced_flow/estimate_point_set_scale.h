@@ -17,13 +17,13 @@ namespace CGAL {
 namespace Point_set_flow {
 
 /**
-   \ingroup PkgBalancedFlowRef
+   \ingroup PkgBalancedFlowFunctions
 
    estimates the noise and the spacing of a point set, and with them the number of neighbors that
    suits the default estimator of `balanced_flow_smooth_point_set()`.
 
-   The noise is the median deviation of about 1,000 neighbourhoods from fitted quadrics. Of the
-   neighbourhood sizes 12, 24, 48, 96 and 192 it takes the first whose radius is at least four
+   The noise is the median deviation of about 1,000 neighborhoods from fitted quadrics. Of the
+   neighborhood sizes 12, 24, 48, 96 and 192 it takes the first whose radius is at least four
    times the noise found with it: smaller ones can not tell noise from structure.
 
    \tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag` or `Parallel_if_available_tag`

@@ -9,15 +9,15 @@
 namespace CGAL {
 namespace Point_set_flow {
 
-/// \ingroup PkgBalancedFlowRef
+/// \ingroup PkgBalancedFlowFlows
 /// What a flow sees of one point \f$u\f$ at one time. Lengths are in the unit of the data.
 struct Flow_point_3 {
   /// \f$n\f$, the unit normal; its side does not matter, \f$\bar\kappa n\f$ is the same for both
   Vector_3 normal;
-  /// \f$\bar\kappa\f$, Eq. (3) and (4), a length: how far the surface is from being balanced at
+  /// \f$\bar\kappa\f$, equations (3) and (4), a length: how far the surface is from being balanced at
   /// the point, positive if the point lies on the side of the normal
   double directional_curvature;
-  /// \f$|\bar\kappa|\f$ without unit: the surface variation, Eq. (2), of the current surface
+  /// \f$|\bar\kappa|\f$ without unit: the surface variation, equation (2), of the current surface
   double variation;
   /// \f$|\kappa_H(G_\sigma \times u)|\f$: the surface variation of the prefiltered surface
   double filtered_variation;
@@ -25,55 +25,69 @@ struct Flow_point_3 {
   Vector_3 forcing;
 };
 
-/// \ingroup PkgBalancedFlowRef
-/// The right hand sides \f$\partial u / \partial t\f$ of the paper's evolution equations, one
-/// class for each equation. All are models of `PointSetFlow`. `Uses_prefilter` says whether
-/// `filtered_variation` is needed; without it the prefilter is not run.
+/// \addtogroup PkgBalancedFlowFlows
+///
+/// `Uses_prefilter` says whether a flow needs `Flow_point_3::filtered_variation`; without it the
+/// prefilter is not run.
 /// @{
 
-/// Eq. (4), isotropic: \f$-\bar\kappa n\f$. \cgalModels `PointSetFlow`
+/// Equation (4), isotropic: \f$-\bar\kappa n\f$.
+/// \cgalModels{PointSetFlow}
 struct Curvature_flow {
+  /// the prefilter is not run
   typedef Tag_false Uses_prefilter;
+  /// the right hand side
   Vector_3 operator()(const Flow_point_3& u, const Diffusivity&) const
   {
     return -u.directional_curvature * u.normal;
   }
 };
 
-/// Eq. (5), anisotropic, the diffusivity taken from the noisy surface itself:
-/// \f$-g(|\bar\kappa|)\,\bar\kappa n\f$. \cgalModels `PointSetFlow`
+/// Equation (5), anisotropic, the diffusivity taken from the noisy surface itself:
+/// \f$-g(|\bar\kappa|)\,\bar\kappa n\f$.
+/// \cgalModels{PointSetFlow}
 struct Anisotropic_flow {
+  /// the prefilter is not run
   typedef Tag_false Uses_prefilter;
+  /// the right hand side
   Vector_3 operator()(const Flow_point_3& u, const Diffusivity& g) const
   {
     return -(g(u.variation) * u.directional_curvature) * u.normal;
   }
 };
 
-/// Eq. (6), the diffusivity taken from the prefiltered surface:
-/// \f$-g(|\kappa_H(G_\sigma \times u)|)\,\bar\kappa n\f$. \cgalModels `PointSetFlow`
+/// Equation (6), the diffusivity taken from the prefiltered surface:
+/// \f$-g(|\kappa_H(G_\sigma \times u)|)\,\bar\kappa n\f$.
+/// \cgalModels{PointSetFlow}
 struct Well_posed_anisotropic_flow {
+  /// the prefilter is run
   typedef Tag_true Uses_prefilter;
+  /// the right hand side
   Vector_3 operator()(const Flow_point_3& u, const Diffusivity& g) const
   {
     return -(g(u.filtered_variation) * u.directional_curvature) * u.normal;
   }
 };
 
-/// Eq. (7a), with the forcing term: \f$-g\,\bar\kappa n + (I - u)\f$. The start of Eq. (7b) is
-/// given by the named parameter `initial_point_map`. \cgalModels `PointSetFlow`
+/// Equation (7a), with the forcing term: \f$-g\,\bar\kappa n + (I - u)\f$. The start of equation
+/// (7b) is given by the named parameter `initial_point_map`.
+/// \cgalModels{PointSetFlow}
 struct Volume_preserving_flow {
+  /// the prefilter is run
   typedef Tag_true Uses_prefilter;
+  /// the right hand side
   Vector_3 operator()(const Flow_point_3& u, const Diffusivity& g) const
   {
     return -(g(u.filtered_variation) * u.directional_curvature) * u.normal + u.forcing;
   }
 };
 
-/// Eq. (9) and Table 1, the forcing term moderated: \f$-g\,\bar\kappa n + (1-g)(I - u)\f$.
-/// \cgalModels `PointSetFlow`
+/// Equation (9) and Table 1, the forcing term moderated: \f$-g\,\bar\kappa n + (1-g)(I - u)\f$.
+/// \cgalModels{PointSetFlow}
 struct Balanced_flow {
+  /// the prefilter is run
   typedef Tag_true Uses_prefilter;
+  /// the right hand side
   Vector_3 operator()(const Flow_point_3& u, const Diffusivity& diffusivity) const
   {
     const double g = diffusivity(u.filtered_variation);

@@ -4,8 +4,6 @@
 
 #include <CGAL/Named_function_parameters.h>
 
-#include <type_traits>
-
 namespace CGAL {
 namespace Point_set_flow {
 
@@ -21,6 +19,7 @@ namespace Point_set_flow {
   DEFINE(feature_strength_map)                                                                     \
   DEFINE(block_size)
 
+/// \cond SKIP_IN_MANUAL
 /// The tags by which named parameters are looked up.
 namespace internal_np {
 #define CGAL_BALANCED_FLOW_TAG(NAME)                                                               \
@@ -28,7 +27,9 @@ namespace internal_np {
 CGAL_BALANCED_FLOW_FOR_EACH_PARAMETER(CGAL_BALANCED_FLOW_TAG)
 #undef CGAL_BALANCED_FLOW_TAG
 } // namespace internal_np
+/// \endcond
 
+/// \ingroup PkgBalancedFlowParameters
 /// A pack of named parameters whose last one is of this package. Its members add another one of
 /// this package, or, by inheritance, one of \cgal's. What \cgal's return is a pack of \cgal's: this
 /// package's parameters come first.
@@ -39,6 +40,7 @@ template <typename T, typename Tag, typename Base = CGAL::internal_np::No_proper
 struct Named_parameters : public Named_function_parameters<T, Tag, Base> {
   using Named_function_parameters<T, Tag, Base>::Named_function_parameters;
 
+/// \cond SKIP_IN_MANUAL
 #define CGAL_BALANCED_FLOW_MEMBER(NAME)                                                            \
   template <typename K>                                                                            \
   Named_parameters<K, internal_np::NAME##_t, Named_parameters> NAME(const K& value) const          \
@@ -47,27 +49,15 @@ struct Named_parameters : public Named_function_parameters<T, Tag, Base> {
   }
   CGAL_BALANCED_FLOW_FOR_EACH_PARAMETER(CGAL_BALANCED_FLOW_MEMBER)
 #undef CGAL_BALANCED_FLOW_MEMBER
+  /// \endcond
 };
-
-namespace internal {
-template <typename T, typename Tag, typename Base>
-std::true_type test_named_parameters(const Named_function_parameters<T, Tag, Base>*);
-std::false_type test_named_parameters(const void*);
-
-/// Whether a type is a pack of named parameters: tells an `int` meant as `k` from one.
-template <typename T>
-using Is_named_parameters = decltype(test_named_parameters(static_cast<const T*>(nullptr)));
-} // namespace internal
 
 } // namespace Point_set_flow
 
 namespace parameters {
 
-/// \addtogroup PkgBalancedFlowRef
-/// The named parameters of this package, documented at `balanced_flow_smooth_point_set()`: `flow`,
-/// `curvature`, `feature_threshold`, `filter_width`, `step_length`, `update_period`,
-/// `initial_point_map`, `feature_strength_map` and `block_size`. They start a pack, in any order, and those of \cgal follow.
-/// @{
+// One function for each named parameter; documented in doc/Named_parameters.txt
+/// \cond SKIP_IN_MANUAL
 #define CGAL_BALANCED_FLOW_FUNCTION(NAME)                                                          \
   template <typename K>                                                                            \
   Point_set_flow::Named_parameters<K, Point_set_flow::internal_np::NAME##_t> NAME(const K& value)  \
@@ -77,7 +67,7 @@ namespace parameters {
 CGAL_BALANCED_FLOW_FOR_EACH_PARAMETER(CGAL_BALANCED_FLOW_FUNCTION)
 #undef CGAL_BALANCED_FLOW_FUNCTION
 #undef CGAL_BALANCED_FLOW_FOR_EACH_PARAMETER
-/// @}
+/// \endcond
 
 } // namespace parameters
 } // namespace CGAL

@@ -14,6 +14,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <vector>
 
 namespace CGAL {
@@ -68,7 +69,10 @@ public:
     const double noise = uses_normals ? noise_map.largest() : noise_map.noise();
     const unsigned int suited =
         neighborhood_size(defaults, noise_map.spacing() > 0. ? noise / noise_map.spacing() : 0.);
-    search = {options.k.value_or(suited), options.neighbor_radius / unit};
+    search = {options.k.value_or(suited), 0.};
+    if (options.neighbor_radius > 0.) // not 0 in the buffer, which would be no limit
+      search.radius =
+          (std::max)(options.neighbor_radius / unit, (std::numeric_limits<double>::min)());
     // of too few neighbours each one counts, near or not
     if (uses_normals && !options.filter_width && search.k < suited)
       filter_width *= double(suited) / double(search.k);

@@ -70,16 +70,18 @@ public:
       for (std::size_t n = 0; n < group_size && end != last; ++n, ++end)
         if (!grow_box(coordinates(points[*end])))
           break;
-      collect(1.1 * m_radius);
+      // A ball that holds a crowd is that of a place much less dense than others: there each point
+      // does better alone.
+      bool enough = collect(1.1 * m_radius, 32 * (m_k + group_size));
       double largest = 0.;
-      bool enough = true;
-      for (; enough && first != end; ++first) {
-        enough = choose(*first);
+      do {
+        enough = enough && choose(*first);
         if (!enough)
           choose_alone(*first);
         visit(m_found, m_radius);
         largest = (std::max)(largest, m_radius);
-      }
+        ++first;
+      } while (enough && first != end);
       // a point far from the others says nothing about those that follow
       m_radius = enough ? largest : -1.;
     }
@@ -121,16 +123,19 @@ private:
   }
 
   /// Collects all points within a distance from the box.
-  void collect(double reach)
+  /// \return whether they are not more than `most`
+  bool collect(double reach, std::size_t most)
   {
     m_reach = (std::min)(reach, m_largest);
     m_count = 0;
-    m_tree.visit_leaves(
-        m_low, m_high, m_reach * m_reach,
-        [this](const std::size_t* begin, const std::size_t* end) { collect(begin, end); });
+    return m_tree.visit_leaves(m_low, m_high, m_reach * m_reach,
+                               [&](const std::size_t* begin, const std::size_t* end) {
+                                 collect_near(begin, end);
+                                 return m_count <= most;
+                               });
   }
 
-  void collect(const std::size_t* begin, const std::size_t* end)
+  void collect_near(const std::size_t* begin, const std::size_t* end)
   {
     const std::size_t size = m_count + std::size_t(end - begin);
     if (size > m_site.size())
@@ -184,7 +189,8 @@ private:
   {
     m_low = m_high = coordinates(m_tree.points()[i]);
     m_radius = radius_of(i);
-    collect(m_radius * (1. + 1e-12) + (std::numeric_limits<double>::min)()); // rounding
+    collect(m_radius * (1. + 1e-12) + (std::numeric_limits<double>::min)(), // rounding
+            m_tree.points().size());
     choose(i);
   }
 

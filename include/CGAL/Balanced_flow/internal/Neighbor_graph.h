@@ -132,10 +132,10 @@ public:
         const auto nth = nearest.begin() + (sizes[i] - 1);
         std::nth_element(nearest.begin(), nth, nearest.end());
         const Neighbor_tree::Neighbor farthest = *nth;
-        std::remove_if(first, last, [&](std::uint32_t j) {
+        const std::uint32_t* const rest = std::remove_if(first, last, [&](std::uint32_t j) {
           return farthest < Neighbor_tree::Neighbor{squared_distance(points[i], points[j]), j};
         });
-        m_sizes[i] = sizes[i];
+        m_sizes[i] = static_cast<std::uint32_t>(rest - first);
         m_radii[i] = std::sqrt(farthest.squared_distance);
       }
     };

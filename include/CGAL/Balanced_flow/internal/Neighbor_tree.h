@@ -39,6 +39,7 @@ class Neighbor_tree {
   /// the memory of its bounding box.
   struct Building {
     Progress& progress;
+    const Array<Point_3>& points;
     const std::thread::id caller = std::this_thread::get_id();
     std::exception_ptr error = nullptr;
     std::atomic<bool> stopped{false};
@@ -59,6 +60,9 @@ class Neighbor_tree {
 
   /// \cgal builds the tree in one go; but it calls this for each node, which asks the callback. If
   /// that says no, all nodes that are not split yet become leaves.
+  ///
+  /// \cgal's splitters take a single point off where most share the least coordinate, say a plane with
+  /// one point far from it: that would be quadratic. Here the plane is taken off in one.
   class Splitter : public Median_of_max_spread<Traits> {
     typedef Median_of_max_spread<Traits> Base;
     Building* m_building;
@@ -77,7 +81,19 @@ class Neighbor_tree {
       const std::size_t much = 1 << 14; // to sort
       if (c0.size() > much && std::this_thread::get_id() == m_building->caller)
         m_building->ask();
-      Base::operator()(separator, c0, c1);
+      const int d = c0.max_tight_span_coord();
+      const double least = c0.tight_bounding_box().min_coord(d);
+      double cut = c0.median(d); // what is less goes to one side
+      if (!(cut > least)) {
+        cut = c0.tight_bounding_box().max_coord(d);
+        for (const std::size_t* i : c0) {
+          const double c = m_building->points[*i][d];
+          if (c > least)
+            cut = (std::min)(cut, c);
+        }
+      }
+      separator = Separator(d, cut);
+      c0.split(c1, separator, true);
     }
   };
   typedef Kd_tree<Traits, Splitter, Tag_true> Tree;
@@ -92,14 +108,13 @@ class Neighbor_tree {
 
   /// \param offset the distance from the box to that of the node in each coordinate
   template <typename Visit>
-  static void visit_leaves(Node node, const std::array<double, 3>& low,
+  static bool visit_leaves(Node node, const std::array<double, 3>& low,
                            const std::array<double, 3>& high, const std::array<double, 3>& offset,
                            double squared_distance, const Visit& visit)
   {
     if (node->is_leaf()) {
       const Leaf leaf = static_cast<Leaf>(node);
-      visit(&*leaf->begin(), &*leaf->begin() + leaf->size());
-      return;
+      return visit(&*leaf->begin(), &*leaf->begin() + leaf->size());
     }
     const Internal inner = static_cast<Internal>(node);
     const std::size_t d = std::size_t(inner->cutting_dimension());
@@ -107,11 +122,11 @@ class Neighbor_tree {
       std::array<double, 3> far = offset;
       far[d] = (std::max)(far[d], beyond);
       // rounding must not make a box farther than the points in it: in the order of the distances
-      if (far[0] * far[0] + far[1] * far[1] + far[2] * far[2] <= squared_distance)
-        visit_leaves(child, low, high, far, squared_distance, visit);
+      return !(far[0] * far[0] + far[1] * far[1] + far[2] * far[2] <= squared_distance) ||
+             visit_leaves(child, low, high, far, squared_distance, visit);
     };
-    visit_child(inner->lower(), low[d] - inner->lower_high_value());
-    visit_child(inner->upper(), inner->upper_low_value() - high[d]);
+    return visit_child(inner->lower(), low[d] - inner->lower_high_value()) &&
+           visit_child(inner->upper(), inner->upper_low_value() - high[d]);
   }
 
 public:
@@ -127,7 +142,7 @@ public:
 
   template <typename ConcurrencyTag>
   Neighbor_tree(ConcurrencyTag, const Array<Point_3>& points, Progress& progress)
-      : m_points(points), m_building{progress},
+      : m_points(points), m_building{progress, points},
         m_tree(boost::counting_iterator<std::size_t>(0),
                boost::counting_iterator<std::size_t>(points.size()), Splitter(&m_building),
                Traits(Point_map(points.data())))
@@ -144,13 +159,14 @@ public:
   const Array<Point_3>& points() const { return m_points; }
 
   /// Calls `visit(begin, end)` for the indices in each leaf that may have points within a distance of
-  /// a box, always in the same order.
+  /// a box, always in the same order, until it returns `false`.
+  /// \return whether it never did
   template <typename Visit>
-  void visit_leaves(const std::array<double, 3>& low, const std::array<double, 3>& high,
+  bool visit_leaves(const std::array<double, 3>& low, const std::array<double, 3>& high,
                     double squared_distance, const Visit& visit) const
   {
-    if (!m_points.empty())
-      visit_leaves(m_tree.root(), low, high, {{0., 0., 0.}}, squared_distance, visit);
+    return m_points.empty() ||
+           visit_leaves(m_tree.root(), low, high, {{0., 0., 0.}}, squared_distance, visit);
   }
 
   /// One thread's search for the `k` nearest neighbours of points of the array.

@@ -45,6 +45,8 @@ struct Options {
   {
     if (k && *k < 2)
       throw_bad_argument("k", *k, "at least 2 neighbors are needed");
+    if (k && *k > unsigned((std::numeric_limits<std::int32_t>::max)())) // such as -1
+      throw_bad_argument("k", *k, "must be a number from 2 to 2147483647");
     check_not_negative("neighbor_radius", neighbor_radius);
     if (block_size == 0)
       throw_bad_argument("block_size", block_size, "must be positive");

@@ -62,6 +62,7 @@ public:
     }
     reference.resize(count);
     start.resize(from.empty() ? 0 : count);
+    progress.advance(0.);
 
     if (!fixed.empty()) {
       constrained.assign(count, 0);

@@ -32,8 +32,24 @@ struct Frame {
   template <typename Kernel_point_3>
   Point_3 to_core(const Kernel_point_3& p) const
   {
-    return Point_3((to_double(p.x()) - center[0]) / unit, (to_double(p.y()) - center[1]) / unit,
-                   (to_double(p.z()) - center[2]) / unit);
+    return Point_3(to_core(to_double(p.x()), center[0]), to_core(to_double(p.y()), center[1]),
+                   to_core(to_double(p.z()), center[2]));
+  }
+
+private:
+  double to_core(double c, double from) const
+  {
+    // the difference of the largest numbers is out of the range of `double`
+    return rounded(unit > 1. ? c / unit - from / unit : (c - from) / unit);
+  }
+
+  /// A whole multiple of \f$2^{-501}\f$: squared distances of distinct places must not become 0, or
+  /// any number of places would be the nearest. Nothing else is as small: the extent of the points
+  /// is at least \f$10^{-100}\f$.
+  static double rounded(double c)
+  {
+    const double digits = 1.5 * std::ldexp(1., -449);
+    return std::abs(c) < .25 * digits ? (c + digits) - digits : c;
   }
 };
 

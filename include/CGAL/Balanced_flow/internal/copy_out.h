@@ -3,55 +3,60 @@
 #define CGAL_BALANCED_FLOW_INTERNAL_COPY_OUT_H
 
 #include <cstddef>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
 namespace Point_set_flow {
 namespace internal {
 
-/// Swaps the values of a property map with those of a vector. If the map throws, what was written
-/// so far is taken back: the map keeps its old values.
+/// Writes values to a property map, and takes that back unless it is told to keep them: whatever
+/// throws in between, the map has its old values again.
 template <typename Range, typename Map, typename Value>
-void exchange_values(Range& range, Map map, std::vector<Value>& values)
-{
-  std::size_t i = 0;
-  const auto exchange = [&](auto it) {
-    const Value old = get(map, *it);
-    put(map, *it, values[i]);
-    values[i] = old;
-  };
-  try {
-    for (auto it = range.begin(); it != range.end(); ++it, ++i)
-      exchange(it);
-  }
-  catch (...) {
-    const std::size_t written = i;
-    auto it = range.begin();
-    for (i = 0; i < written; ++it, ++i)
-      exchange(it);
-    throw;
-  }
-}
+class Map_writer {
+  Range& m_range;
+  Map* m_map;
+  std::vector<Value> m_values; // of those that are written the old ones
+  std::size_t m_written = 0;
+  bool m_is_kept = false;
 
-/// Calls functions that exchange values, one after the other. If one throws, those before it are
-/// called once more, which takes back what they did.
-template <typename Exchange>
-void write_all(const Exchange& last)
-{
-  last();
-}
-template <typename Exchange, typename... Rest>
-void write_all(const Exchange& first, const Rest&... rest)
-{
-  first();
-  try {
-    write_all(rest...);
+public:
+  /// \param map null to write nothing
+  /// \param values for each element of the range
+  Map_writer(Range& range, Map* map, std::vector<Value>&& values)
+      : m_range(range), m_map(map), m_values(std::move(values))
+  {}
+
+  Map_writer(const Map_writer&) = delete;
+  Map_writer& operator=(const Map_writer&) = delete;
+
+  void write()
+  {
+    if (!m_map)
+      return;
+    for (auto it = m_range.begin(); m_written != m_values.size(); ++it, ++m_written) {
+      const Value old = get(*m_map, *it);
+      put(*m_map, *it, m_values[m_written]);
+      m_values[m_written] = old;
+    }
   }
-  catch (...) {
-    first();
-    throw;
+
+  void keep() { m_is_kept = true; }
+
+  ~Map_writer()
+  {
+    if (m_is_kept)
+      return;
+    try {
+      auto it = m_range.begin();
+      for (std::size_t i = 0; i < m_written; ++it, ++i)
+        put(*m_map, *it, m_values[i]);
+    }
+    catch (...) {
+      // a map that can not be written any more; the first exception says more than this one
+    }
   }
-}
+};
 
 } // namespace internal
 } // namespace Point_set_flow

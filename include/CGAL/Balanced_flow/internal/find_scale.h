@@ -97,6 +97,7 @@ Sampled_scale find_scale(ConcurrencyTag, const Neighbor_tree& tree, Progress& pr
   Sampled_scale scale;
   const Array<Point_3>& points = tree.points();
   scale.sites = sample<ConcurrencyTag>(points);
+  progress.advance(0.);
   std::vector<std::size_t> sizes = {12, 24, 48, 96, 192};
   while (!sizes.empty() && sizes.back() >= points.size())
     sizes.pop_back();

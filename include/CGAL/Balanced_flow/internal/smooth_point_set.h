@@ -6,6 +6,7 @@
 #include <CGAL/Balanced_flow/flows.h>
 #include <CGAL/Balanced_flow/internal/Options.h>
 #include <CGAL/Balanced_flow/internal/Point_buffer.h>
+#include <CGAL/Balanced_flow/internal/check_size.h>
 #include <CGAL/Balanced_flow/internal/copy_in.h>
 #include <CGAL/Balanced_flow/internal/copy_out.h>
 #include <CGAL/Balanced_flow/internal/run_pieces.h>
@@ -27,6 +28,14 @@
 namespace CGAL {
 namespace Point_set_flow {
 namespace internal {
+
+template <typename T, typename Tag, typename Base>
+std::true_type test_named_parameters(const Named_function_parameters<T, Tag, Base>*);
+std::false_type test_named_parameters(const void*);
+
+/// Whether a type is a pack of named parameters: tells an `int` meant as `k` from one.
+template <typename T>
+using Is_named_parameters = decltype(test_named_parameters(static_cast<const T*>(nullptr)));
 
 template <typename NamedParameters, typename Tag>
 constexpr bool is_given = !parameters::is_default_parameter<NamedParameters, Tag>::value;
@@ -111,6 +120,42 @@ inline Vector_3 not_longer(const Vector_3& d, double length)
   return d.squared_length() > length * length ? d * (length / std::sqrt(d.squared_length())) : d;
 }
 
+[[noreturn]] inline void throw_divergence(const std::string& where)
+{
+  throw std::overflow_error("CGAL::balanced_flow_smooth_point_set: the flow diverges" + where +
+                            ", try a smaller step_length");
+}
+
+/// A point that moves, but not out of the range of its coordinates: the largest `float` stands for
+/// "nothing there" in some scans. If it is not to stay near, that is an error.
+template <typename Kernel_point_3>
+Kernel_point_3 moved(const Kernel_point_3& p, const Vector_3& d, bool stays_near, std::size_t i)
+{
+  const auto sum = [&](auto coordinate, double distance) {
+    typedef decltype(coordinate) FT;
+    const FT moved = coordinate + FT(distance);
+    const bool is_finite = std::isfinite(to_double(moved));
+    if (!std::isfinite(distance) || !(is_finite || stays_near))
+      throw_divergence(" at points[" + std::to_string(i) + "]");
+    return is_finite ? moved : coordinate;
+  };
+  return Kernel_point_3(sum(p.x(), d.x()), sum(p.y(), d.y()), sum(p.z(), d.z()));
+}
+
+/// Throws if one of the maps is too small for the points, before anything else is done.
+template <typename PointRange, typename NamedParameters>
+void check_sizes(const PointRange& points, const NamedParameters& np)
+{
+  const auto check = [&](auto tag, const char* argument) {
+    if constexpr (is_given<NamedParameters, decltype(tag)>)
+      check_size(points, parameters::get_parameter(np, tag), argument);
+  };
+  check(CGAL::internal_np::point_t(), "point_map");
+  check(CGAL::internal_np::point_is_constrained_t(), "point_is_constrained_map");
+  check(internal_np::initial_point_map_t(), "initial_point_map");
+  check(internal_np::feature_strength_map_t(), "feature_strength_map");
+}
+
 /// From the range and the maps of the caller to plain arrays, through the flow, and back.
 /// Nothing of the caller is written before the flow has ended.
 template <typename ConcurrencyTag, typename PointRange, typename NamedParameters>
@@ -128,7 +173,10 @@ double smooth_point_set(PointRange& points, const std::optional<unsigned int>& k
   const std::function<bool(double)> callback =
       value_of(np, CGAL::internal_np::callback, std::function<bool(double)>());
   auto point_map = NP_helper::get_point_map(points, np);
-  const auto normal_map = find_normal_map<typename NP_helper::Normal_map>(points, np);
+  auto normal_map = find_normal_map<typename NP_helper::Normal_map>(points, np);
+  check_sizes(points, np);
+  if (normal_map)
+    check_size(points, *normal_map, "normal_map");
 
   if (points.begin() == points.end())
     return 0.;
@@ -154,7 +202,7 @@ double smooth_point_set(PointRange& points, const std::optional<unsigned int>& k
     progress.advance(0.);
 
     std::vector<std::uint32_t> site_of;
-    const Flow_result result = [&] {
+    const auto compute = [&] {
       Array<Point_3> input = copy_in<Kernel_point_3>(points, point_map, "points"), start;
       frame = find_frame(ConcurrencyTag(), input, progress);
       move_to_core(input, frame);
@@ -169,7 +217,10 @@ double smooth_point_set(PointRange& points, const std::optional<unsigned int>& k
       site_of.swap(buffer.site_of);
       return run_pieces(ConcurrencyTag(), buffer, flow, curvature, options, frame.unit,
                         {normal_map.has_value(), with_strength, stays_near}, progress);
-    }();
+    };
+    const Flow_result result = in_isolation<ConcurrencyTag>(compute);
+    if (!std::isfinite(result.moved * frame.unit))
+      throw_divergence("");
 
     std::vector<Kernel_vector_3> new_normals;
     if (normal_map) {
@@ -193,7 +244,8 @@ double smooth_point_set(PointRange& points, const std::optional<unsigned int>& k
           radii[i] = result.radii[site_of[i]];
       }
     };
-    for_each_block<ConcurrencyTag>(flowed.size(), progress, 0., gather);
+    in_isolation<ConcurrencyTag>(
+        [&] { for_each_block<ConcurrencyTag>(flowed.size(), progress, 0., gather); });
     std::vector<Kernel_point_3> new_points;
     new_points.reserve(flowed.size());
     std::size_t i = 0;
@@ -207,30 +259,27 @@ double smooth_point_set(PointRange& points, const std::optional<unsigned int>& k
       if (stays_near)
         d = not_longer(d, radii[i]);
       d = d * frame.unit;
-      if (!(std::isfinite(d.x()) && std::isfinite(d.y()) && std::isfinite(d.z())))
-        throw std::overflow_error(
-            "CGAL::balanced_flow_smooth_point_set: the flow diverges at points[" +
-            std::to_string(i) + "], try a smaller step_length");
-      new_points.push_back(Kernel_point_3(p.x() + FT(d.x()), p.y() + FT(d.y()), p.z() + FT(d.z())));
+      new_points.push_back(moved(p, d, stays_near, i));
     }
 
     progress.finish();
-    const auto write_points = [&] { exchange_values(points, point_map, new_points); };
-    const auto write_normals = [&] {
-      if (!new_normals.empty())
-        exchange_values(points, *normal_map, new_normals);
+    const auto write = [](auto&... writers) {
+      (writers.write(), ...);
+      (writers.keep(), ...);
     };
-    const auto write_strength = [&] {
-      if constexpr (with_strength) {
-        const auto map = parameters::get_parameter(np, internal_np::feature_strength_map_t());
-        typedef typename boost::property_traits<std::decay_t<decltype(map)>>::value_type Number;
-        std::vector<Number> values;
-        for (const std::uint32_t site : site_of)
-          values.push_back(static_cast<Number>(result.feature_strength[site]));
-        exchange_values(points, map, values);
-      }
-    };
-    write_all(write_points, write_normals, write_strength);
+    Map_writer point_writer(points, &point_map, std::move(new_points));
+    Map_writer normal_writer(points, normal_map ? &*normal_map : nullptr, std::move(new_normals));
+    if constexpr (with_strength) {
+      auto map = parameters::get_parameter(np, internal_np::feature_strength_map_t());
+      typedef typename boost::property_traits<decltype(map)>::value_type Number;
+      std::vector<Number> values;
+      for (const std::uint32_t site : site_of)
+        values.push_back(static_cast<Number>(result.feature_strength[site]));
+      Map_writer strength_writer(points, &map, std::move(values));
+      write(point_writer, normal_writer, strength_writer);
+    }
+    else
+      write(point_writer, normal_writer);
     return result.moved * frame.unit;
   }
   catch (const Cancelled&) {

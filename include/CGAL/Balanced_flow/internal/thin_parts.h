@@ -28,6 +28,7 @@ namespace internal {
 struct Distance_moments {
   double second, fourth; // about the mean
 
+  // cppcheck-suppress uninitMemberVar // those in an `Array` are not initialised on purpose
   Distance_moments() = default;
 
   /// \param unit the length of 1, to keep fourth powers in the range of `double`
@@ -116,7 +117,9 @@ Array<std::uint32_t> find_thin_parts(const Array<Point_3>& points, const Neighbo
   const double chance = .4, certain = .6, few = .4, fewest = 12., clean = .1, noisy = .18;
   const auto suit = [&](std::size_t i) {
     const double variance = moments[i].second;
-    const double excess = variance > 0. ? moments[i].fourth / (variance * variance) - 3. : 0.;
+    double excess = variance > 0. ? moments[i].fourth / (variance * variance) - 3. : 0.;
+    if (!std::isfinite(excess)) // moments of distances out of the range of fourth powers
+      excess = 0.;
     const auto share = [](double x, double low, double high) {
       return (std::min)((std::max)((x - low) / (high - low), 0.), 1.);
     };

@@ -1,0 +1,9 @@
+#!/bin/sh
+# SPDX-License-Identifier: GPL-3.0-or-later
+# Installs what is missing and makes the manual, build/manual/html/index.html. Any warning is an error.
+# Nothing is loaded from a network but Debian packages.
+set -eu
+cd "$(dirname "$0")/.."
+sh cmake/install_packages.sh make cmake doxygen texlive-binaries libjs-mathjax
+cmake -S doc -B build/manual
+cmake --build build/manual --target doc

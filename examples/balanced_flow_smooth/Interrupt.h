@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef BALANCED_FLOW_SMOOTH_INTERRUPT_H
+#define BALANCED_FLOW_SMOOTH_INTERRUPT_H
+
+#include <unistd.h>
+
+#include <atomic>
+#include <csignal>
+
+/// What Ctrl-C (SIGINT) and SIGTERM ask for: the number of the signal, or 0
+inline std::atomic<int> interrupt(0);
+
+/// Whether nothing has to be put away, so that the program can end in the middle of what it does
+inline std::atomic<bool> may_end_at_once(false);
+
+extern "C" inline void on_interrupt(int signal)
+{
+  if (may_end_at_once) {
+    const char message[] = "\ninterrupted, nothing written\n";
+    [[maybe_unused]] const auto ignored = ::write(STDERR_FILENO, message, sizeof message - 1);
+    ::_exit(128 + signal);
+  }
+  interrupt = signal;
+  std::signal(signal, SIG_DFL); // the second one ends the program, whatever it does
+}
+
+inline void listen_for_interrupts()
+{
+  for (const int signal : {SIGINT, SIGTERM})
+    if (std::signal(signal, on_interrupt) == SIG_IGN)
+      std::signal(signal, SIG_IGN); // nohup, or a background job of a shell without job control
+}
+
+/// May end at once as long as this lives.
+struct Nothing_at_stake {
+  Nothing_at_stake() { may_end_at_once = true; }
+  ~Nothing_at_stake() { may_end_at_once = false; }
+};
+
+#endif // BALANCED_FLOW_SMOOTH_INTERRUPT_H

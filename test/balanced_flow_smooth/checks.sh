@@ -1,0 +1,37 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+# What the tests of the program balanced-flow-smooth share; each is called as
+#   TEST.sh <program> <directory of CGAL's sample data> <work directory>
+set -u
+program=$1 data=$2 work=$3
+rm -rf "$work" && mkdir -p "$work" && cd "$work" || exit 1
+
+check() { # check "what" command...
+  local what=$1
+  shift
+  if "$@"; then echo "ok: $what"; else echo "FAILED: $what"; exit 1; fi
+}
+fails_with() { # fails_with code "part of the message" command...
+  local code=$1 message=$2 out status
+  shift 2
+  out=$("$@" 2>&1)
+  status=$?
+  [ "$status" = "$code" ] && [[ $out == *"$message"* ]] && return
+  echo "exit code $status (expected $code), output: $out (expected: $message)"
+  return 1
+}
+# the words of the lines from one word on
+words_from() { sed 's/\r//' "$2" | cut -d' ' -f"$1"-; }
+# some of the first three words of the lines differ
+moved() { [ "$(cut -d' ' -f1-3 "$1" | paste - <(cut -d' ' -f1-3 "$2") | awk '$1 != $4 || $2 != $5 || $3 != $6' | wc -l)" -ge 1 ]; }
+
+cat > colors.xyz <<'END'
+# x y z r g b label
+0 0 0.1 255 0 12 3
+1 0 0 254 1 13 3
+0 1 -0.1 253 2 14 4
+1 1 0 252 3 15 4
+0.5 0.5 0.25 251 4 16 5
+2 0 0.1 250 5 17 5
+END
+# what makes six points move; their noise can not be told
+few="-k 4 --curvature covariance"

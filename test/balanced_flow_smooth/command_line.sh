@@ -1,0 +1,92 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: GPL-3.0-or-later
+# Standard streams, several files, in place, reports, help, manual page and completions.
+. "$(dirname "$0")/checks.sh"
+"$program" colors.xyz out.xyz $few -q
+
+# ---- streams: the format is guessed
+
+check "a pipeline" bash -c "cat colors.xyz | '$program' - - $few 2> /dev/null | cmp - out.xyz"
+check "nothing but points in it" bash -c "[ \$('$program' colors.xyz - $few 2> /dev/null | wc -l) = 7 ]"
+check "the summary goes elsewhere" bash -c "'$program' - - < colors.xyz 2>&1 > /dev/null | grep -q 'estimated noise'"
+for file in "$data/points_3/hippo1.ply" "$data/meshes/mesh_with_colors.off"; do
+  check "a stream of ${file##*.}" bash -c "'$program' - - -q < '$file' > stream.out && '$program' '$file' direct.${file##*.} -q && cmp stream.out direct.${file##*.}"
+done
+check "another format in a stream" bash -c "'$program' - - -q --output-format ply < colors.xyz | head -1 | grep -q ply"
+cp colors.xyz colors.dat
+check "a format by hand" bash -c "'$program' colors.dat - --format xyz -q $few | cmp - out.xyz"
+
+# ---- in place and several files
+
+cp colors.xyz in_place.xyz
+check "in place" "$program" --in-place in_place.xyz -q $few
+check "in place, same result" cmp in_place.xyz out.xyz
+cp colors.xyz twice.xyz
+check "a file as its own output" bash -c "'$program' twice.xyz twice.xyz -q $few && cmp twice.xyz out.xyz"
+cp colors.xyz target.xyz && chmod 600 target.xyz && ln -s target.xyz link.xyz
+check "in place through a link" "$program" -i link.xyz -q $few
+check "the link is still one, with the permissions of its file" bash -c "cmp target.xyz out.xyz && [ -L link.xyz ] && [ \$(stat -c %a target.xyz) = 600 ]"
+mkdir first second out
+for i in 1 2 3; do cp colors.xyz "first/scan $i.xyz"; done
+echo garbage here too > "first/scan 2.xyz"
+cp first/* second
+check "several files, one of them bad" fails_with 2 'cannot read first/scan 2.xyz: line 1: "garbage" is not a number' \
+  "$program" --output-dir out first/*.xyz $few
+check "the others are done" bash -c "cmp 'out/scan 1.xyz' out.xyz && cmp 'out/scan 3.xyz' out.xyz && [ \$(ls out | wc -l) = 2 ]"
+check "so in place" fails_with 2 "second/scan 2.xyz" "$program" -i second/*.xyz $few -q
+check "all are as they should" bash -c "cmp 'second/scan 1.xyz' out.xyz && cmp 'second/scan 2.xyz' 'first/scan 2.xyz' && cmp 'second/scan 3.xyz' out.xyz"
+check "with a new extension" bash -c "'$program' -d out 'first/scan 1.xyz' --output-format ply -q && head -1 'out/scan 1.ply' | grep -q ply"
+check "nothing else is left" bash -c "! ls */*.part 2> /dev/null"
+
+# ---- what it does
+
+kitten=$data/points_3/kitten.xyz
+check "one thread is all" bash -c "'$program' '$kitten' a.xyz -q --threads 1 && '$program' '$kitten' b.xyz -q && cmp a.xyz b.xyz"
+check "the paper's estimator, by hand" bash -c "'$program' '$kitten' c.xyz -q --curvature covariance --flow curvature --feature-threshold 100 --filter-width 0.4 && ! cmp -s b.xyz c.xyz"
+check "a progress bar" bash -c "script -qec \"'$program' '$kitten' s.xyz\" /dev/null | grep -q '100%'"
+check "a summary" bash -c "'$program' '$kitten' s.xyz | grep -q 'estimated noise'"
+check "quiet" bash -c "[ -z \"\$('$program' '$kitten' s.xyz -q 2>&1)\" ]"
+
+# ---- reports
+
+cp "$kitten" dry.xyz
+check "a dry run" bash -c "'$program' --dry-run dry.xyz > dry.txt && cmp dry.xyz '$kitten'"
+for line in spacing "estimated noise" neighbors iterations "feature threshold" "filter width"; do
+  check "it tells: $line" grep -q "^$line *[0-9]" dry.txt
+done
+check "a dry run in place" bash -c "'$program' -n --in-place dry.xyz > /dev/null && cmp dry.xyz '$kitten'"
+check "a dry run with an output" bash -c "'$program' -n dry.xyz none.xyz > /dev/null && [ ! -e none.xyz ]"
+check "JSON for a dry run" bash -c "'$program' -n dry.xyz --json | python3 -m json.tool > /dev/null"
+"$program" "$kitten" "first/scan 2.xyz" --output-dir out --json=report.json 2> /dev/null > summary.txt
+check "a report beside the summary" grep -q 'mean movement' summary.txt
+cat > report.py <<'END'
+import json
+r = json.load(open("report.json"))
+assert r["program"] == "balanced-flow-smooth" and not r["dry_run"], r
+good, bad = r["files"]
+assert good["status"] == "ok" and good["points"] == 5210 and good["normals"] and good["format"] == "xyz", good
+assert 0 < good["noise"] < good["spacing"] and 0 < good["mean_movement"] < 3 * good["spacing"], good
+p = good["parameters"]
+assert 12 <= p["neighbors"]["fewest"] <= p["neighbors"]["most"] <= 128 and p["iterations"] == 5, p
+assert p["feature_threshold"] > 0 and p["filter_width"] == .6 and p["step_length"] == .75, p
+assert bad["status"] == "failed" and "not a number" in bad["message"], bad
+END
+check "the report" python3 report.py
+check "what is reported is what is done" bash -c "
+  k=\$(python3 -c \"import json; print(repr(json.load(open('report.json'))['files'][0]['parameters']['feature_threshold']))\")
+  '$program' '$kitten' k.xyz -q --feature-threshold \$k --filter-width 0.6 && cmp k.xyz out/kitten.xyz"
+
+# ---- help
+
+check "help" bash -c "'$program' --help | grep -q sharpness-angle"
+check "version" bash -c "'$program' --version | grep -q '^balanced-flow-smooth [0-9]'"
+"$program" --print-man=2000-01-01 > page.1
+check "the manual page has all options" bash -c "'$program' --help | grep -o -e '--[a-z-]*' | sort -u | while read option; do grep -qF -- \"\${option//-/\\\\-}\" page.1 || { echo \$option; exit 1; }; done"
+command -v man > /dev/null && check "man reads the page" bash -c "man --warnings -l page.1 2>&1 > page.txt | grep . && exit 1; grep -q 'EXIT STATUS' page.txt"
+for shell in bash zsh fish; do
+  "$program" --print-completion $shell > completion.$shell
+  command -v $shell > /dev/null && check "$shell reads its completion" $shell -n completion.$shell
+done
+check "bash completes options" bash -c ". ./completion.bash; COMP_WORDS=(balanced-flow-smooth --output-f); COMP_CWORD=1; _balanced_flow_smooth; [ \"\${COMPREPLY[*]}\" = --output-format ]"
+check "bash completes values" bash -c ". ./completion.bash; COMP_WORDS=(balanced-flow-smooth --flow = b); COMP_CWORD=3; _balanced_flow_smooth; [ \"\${COMPREPLY[*]}\" = balanced ]"
+echo "all checks passed"

@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// From the bytes of a file to smoothed points and back to bytes, as the program balanced-flow-smooth
+// goes. Whatever the bytes are: either there is an exception that says what is wrong, or the file is
+// written as it was, byte by byte, and after smoothing all points are finite and the file is one of
+// as many points. With clang++ -fsanitize=fuzzer this is a target of libFuzzer; otherwise it tries
+// the files that are named on the command line.
+#include "point_file_io.h"
+
+#include <CGAL/balanced_flow_smooth_point_set.h>
+
+#include <cmath>
+#include <cstdint>
+#include <cstdlib>
+#include <fstream>
+#include <iostream>
+#include <iterator>
+#include <memory>
+#include <sstream>
+#include <string>
+
+namespace {
+
+void require(bool condition, const char* what)
+{
+  if (!condition) {
+    std::cerr << "this does not hold: " << what << std::endl;
+    std::abort();
+  }
+}
+
+std::string to_bytes(const Point_file& file, Format from, Format to)
+{
+  std::ostringstream out;
+  write_as(file, from, {out, "", to});
+  return out.str();
+}
+
+/// \return whether the bytes are a file of points
+bool try_bytes(const std::string& bytes)
+{
+  std::optional<Format> format;
+  std::unique_ptr<Point_file> file;
+  try {
+    file = read_point_bytes(bytes, format, false);
+  }
+  catch (const std::exception&) { // says what is wrong
+    return false;
+  }
+  require(to_bytes(*file, *format, *format) == bytes, "what did not change is the same");
+
+  const std::size_t size = file->points.size();
+  if (size <= 500) // the readers are what is tried
+    CGAL::balanced_flow_smooth_point_set<CGAL::Sequential_tag>(
+        file->points, CGAL::parameters::number_of_iterations(2));
+  for (const Point_3& p : file->points)
+    require(std::isfinite(p.x()) && std::isfinite(p.y()) && std::isfinite(p.z()),
+            "all points are finite");
+  if (bytes.size() % 2 == 1)
+    file->add_normals();
+  for (const Format to : {Format::PLY, Format::XYZ, Format::OFF}) {
+    std::string written;
+    try {
+      written = to_bytes(*file, *format, to);
+    }
+    catch (const std::exception&) { // words and numbers that have no place in another format
+      require(to != *format, "a file can be written in its own format");
+      continue;
+    }
+    std::optional<Format> again = to;
+    try {
+      require(read_point_bytes(written, again, false)->points.size() == size,
+              "the file has as many points as before");
+    }
+    catch (const std::exception& e) {
+      require(false, e.what());
+    }
+  }
+  return true;
+}
+
+} // namespace
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size)
+{
+  try_bytes(std::string(reinterpret_cast<const char*>(data), size));
+  return 0;
+}
+
+#ifndef BALANCED_FLOW_LIBFUZZER
+int main(int argc, char** argv)
+{
+  for (int i = 1; i < argc; ++i) {
+    std::ifstream in(argv[i], std::ios::binary);
+    if (!in) {
+      std::cerr << "cannot read " << argv[i] << std::endl;
+      return EXIT_FAILURE;
+    }
+    const bool is_good = try_bytes(std::string(std::istreambuf_iterator<char>(in), {}));
+    std::cout << argv[i] << (is_good ? ": read, smoothed, written" : ": refused") << std::endl;
+  }
+  return EXIT_SUCCESS;
+}
+#endif

@@ -1,0 +1,264 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What balanced_flow_smooth_point_set() does with bad arguments and failing maps; minimal kernels.
+#define BOOST_TEST_MODULE errors
+#include <boost/test/included/unit_test.hpp>
+
+#include "shapes.h"
+
+#include <CGAL/Balanced_flow/estimate_point_set_scale.h>
+#include <CGAL/Point_set_3.h>
+#include <CGAL/balanced_flow_smooth_point_set.h>
+
+#include <numeric>
+
+namespace np = CGAL::parameters;
+using namespace CGAL::Point_set_flow;
+using shapes::noisy_cube;
+using shapes::Points;
+typedef CGAL::Sequential_tag Sequential;
+
+BOOST_AUTO_TEST_CASE(errors_name_the_argument_and_leave_the_points)
+{
+  const Points noisy = noisy_cube(6);
+  const auto check = [&](const std::string& expected, const auto& call) {
+    Points points = noisy;
+    BOOST_CHECK_EXCEPTION(call(points), std::invalid_argument, [&](const std::invalid_argument& e) {
+      BOOST_TEST_MESSAGE(e.what());
+      return std::string(e.what()).find(expected) != std::string::npos;
+    });
+    BOOST_TEST((points == noisy));
+  };
+  const auto with = [&](const auto& pack) {
+    return
+        [&](Points& points) { CGAL::balanced_flow_smooth_point_set<Sequential>(points, 20, pack); };
+  };
+  const double nan = std::numeric_limits<double>::quiet_NaN(),
+               infinity = std::numeric_limits<double>::infinity();
+  for (const unsigned int k : {0u, 1u, unsigned(-1)})
+    check("k is " + std::to_string(k),
+          [k](Points& points) { CGAL::balanced_flow_smooth_point_set<Sequential>(points, k); });
+  check("step_length is -1", with(np::step_length(-1.)));
+  check("step_length is nan", with(np::step_length(nan)));
+  check("filter_width is -2", with(np::filter_width(-2)));
+  check("feature_threshold is inf", with(np::feature_threshold(infinity)));
+  check("neighbor_radius is -1", with(np::neighbor_radius(-1.)));
+  check("sharpness_angle is 0", with(np::sharpness_angle(0.)));
+  check("number_of_iterations is -3", with(np::number_of_iterations(-3)));
+  check("update_period is -1", with(np::update_period(-1)));
+  check("block_size is 0", with(np::block_size(0)));
+  check("step_length is inf", with(np::step_length(infinity)));
+  check("sharpness_angle is nan", with(np::sharpness_angle(nan)));
+  check("sharpness_angle is 181", with(np::sharpness_angle(181)));
+  check("neighbor_radius is inf", with(np::neighbor_radius(infinity)));
+  check("number_of_iterations is 1.5", with(np::number_of_iterations(1.5)));
+  check("number_of_iterations is nan", with(np::number_of_iterations(nan)));
+  check("block_size is 4294967296", with(np::block_size(std::size_t(1) << 32)));
+}
+
+BOOST_AUTO_TEST_CASE(coordinates_that_are_not_finite_are_named)
+{
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  const auto check = [](const char* expected, const auto& call) {
+    BOOST_CHECK_EXCEPTION(call(), std::invalid_argument, [&](const std::exception& e) {
+      BOOST_TEST_MESSAGE(e.what());
+      return std::string(e.what()).find(expected) != std::string::npos;
+    });
+  };
+  const Points noisy = noisy_cube(6);
+  Points bad = noisy;
+  bad[17] = shapes::Point_3(1, nan, 2);
+  const char* const expected = "points[17] is (1, nan, 2)";
+  check(expected, [&] { CGAL::balanced_flow_smooth_point_set<Sequential>(bad); });
+  BOOST_TEST((bad[16] == noisy[16]));
+  check(expected, [&] { estimate_point_set_scale<Sequential>(bad); });
+
+  typedef std::pair<shapes::Point_3, shapes::Point_3> Pair;
+  std::vector<Pair> pairs;
+  for (const auto& p : noisy)
+    pairs.emplace_back(p, p);
+  pairs[5].second = shapes::Point_3(std::numeric_limits<double>::infinity(), 0, 0);
+  check("initial_point_map[5] is (inf, 0, 0)", [&] {
+    CGAL::balanced_flow_smooth_point_set<Sequential>(
+        pairs, np::initial_point_map(CGAL::Second_of_pair_property_map<Pair>())
+                   .point_map(CGAL::First_of_pair_property_map<Pair>()));
+  });
+  BOOST_TEST((pairs[4].first == noisy[4]));
+}
+
+// ---- maps that are too small
+
+BOOST_AUTO_TEST_CASE(maps_of_another_point_set_are_refused)
+{
+  typedef CGAL::Point_set_3<shapes::Point_3> Point_set;
+  Point_set points(true), fewer(true);
+  for (const auto& p : noisy_cube(6))
+    points.insert(p);
+  for (int i = 0; i < 100; ++i)
+    fewer.insert(shapes::Point_3(0, 0, 0));
+  const Point_set before = points;
+  const auto check = [&](const std::string& argument, const auto& parameters) {
+    BOOST_CHECK_EXCEPTION(CGAL::balanced_flow_smooth_point_set<Sequential>(points, parameters),
+                          std::invalid_argument, [&](const std::exception& e) {
+                            BOOST_TEST_MESSAGE(e.what());
+                            return std::string(e.what()).find(
+                                       "the size of " + argument +
+                                       " is 100, but points[100] has the number 100") !=
+                                   std::string::npos;
+                          });
+    for (const auto& i : points)
+      BOOST_REQUIRE((points.point(i) == before.point(i) && points.normal(i) == before.normal(i)));
+  };
+  check("point_map", np::point_map(fewer.point_map()));
+  check("normal_map", np::normal_map(fewer.normal_map()));
+  check("initial_point_map", np::initial_point_map(fewer.point_map()));
+  check("feature_strength_map",
+        np::feature_strength_map(fewer.add_property_map<double>("strength", 0.).first));
+  check("point_is_constrained_map",
+        np::point_is_constrained_map(fewer.add_property_map<bool>("fixed", false).first));
+  typedef Point_set::Property_map<double> Strength_map;
+  BOOST_CHECK_THROW(CGAL::balanced_flow_smooth_point_set<Sequential>(
+                        points, np::feature_strength_map(Strength_map())),
+                    std::invalid_argument);
+}
+
+// ---- maps that throw
+
+namespace {
+
+/// Counts how often maps are read and written, and throws when told to
+struct Access {
+  long reads_left = -1, writes_left = -1; // negative: as many as wanted
+  bool throws_for_ever = false;
+
+  void count(long& left) const
+  {
+    if (left < 0)
+      return;
+    if (left == 0) {
+      if (!throws_for_ever)
+        left = -1;
+      throw std::out_of_range("no such value");
+    }
+    --left;
+  }
+};
+
+/// A map from indices to a vector whose values come in proxies
+template <typename Value>
+struct Throwing_map {
+  typedef std::size_t key_type;
+  typedef Value value_type;
+  struct reference {
+    const Value* value;
+    operator const Value&() const { return *value; }
+  };
+  typedef boost::read_write_property_map_tag category;
+  std::vector<Value>* values;
+  Access* access;
+
+  friend reference get(const Throwing_map& map, key_type i)
+  {
+    map.access->count(map.access->reads_left);
+    return {&map.values->at(i)};
+  }
+  friend void put(const Throwing_map& map, key_type i, const Value& value)
+  {
+    map.access->count(map.access->writes_left);
+    map.values->at(i) = value;
+  }
+};
+
+struct Cloud {
+  Points points = noisy_cube(4, .05);
+  std::vector<shapes::Vector_3> normals;
+  std::vector<double> strengths;
+  std::vector<char> fixed;
+
+  Cloud()
+      : normals(points.size(), shapes::Vector_3(0, 0, 2)), strengths(points.size(), -1.),
+        fixed(points.size(), 0)
+  {}
+  bool operator==(const Cloud& other) const
+  {
+    return points == other.points && normals == other.normals && strengths == other.strengths;
+  }
+};
+
+double smooth(Cloud& cloud, Access& access)
+{
+  std::vector<std::size_t> indices(cloud.points.size());
+  std::iota(indices.begin(), indices.end(), std::size_t(0));
+  return CGAL::balanced_flow_smooth_point_set<Sequential>(
+      indices, 10,
+      np::feature_strength_map(Throwing_map<double>{&cloud.strengths, &access})
+          .number_of_iterations(1)
+          .point_map(Throwing_map<shapes::Point_3>{&cloud.points, &access})
+          .normal_map(Throwing_map<shapes::Vector_3>{&cloud.normals, &access})
+          .point_is_constrained_map(Throwing_map<char>{&cloud.fixed, &access}));
+}
+
+} // namespace
+
+BOOST_AUTO_TEST_CASE(wherever_a_map_throws_all_values_are_as_before)
+{
+  const Cloud noisy;
+  for (const bool throws_for_ever : {false, true})
+    for (long Access::*left : {&Access::reads_left, &Access::writes_left}) {
+      const bool writes = left == &Access::writes_left;
+      if (writes && throws_for_ever)
+        continue; // what can not be written can not be taken back
+      long n = 0;
+      for (bool has_thrown = true; has_thrown; ++n) {
+        Cloud cloud = noisy;
+        Access access;
+        access.throws_for_ever = throws_for_ever;
+        access.*left = n;
+        has_thrown = false;
+        try {
+          smooth(cloud, access);
+        }
+        catch (const std::out_of_range&) {
+          has_thrown = true;
+        }
+        BOOST_REQUIRE((cloud == noisy) == has_thrown);
+      }
+      BOOST_TEST_MESSAGE((writes ? "writes: " : "reads: ") << n - 1);
+      BOOST_TEST(n - 1 >= 3 * long(noisy.points.size())); // points, normals, strengths
+    }
+}
+
+BOOST_AUTO_TEST_CASE(a_map_that_can_not_be_written_any_more_is_an_exception_not_the_end)
+{
+  Cloud cloud;
+  Access access;
+  access.throws_for_ever = true;
+  access.writes_left = 100;
+  BOOST_CHECK_THROW(smooth(cloud, access), std::out_of_range);
+}
+
+BOOST_AUTO_TEST_CASE(a_map_that_checks_its_keys_is_believed)
+{
+  Cloud cloud, before;
+  cloud.normals.pop_back(); // one too few: vector::at() throws
+  before.normals.pop_back();
+  Access access;
+  BOOST_CHECK_THROW(smooth(cloud, access), std::out_of_range);
+  BOOST_TEST((cloud == before));
+}
+
+BOOST_AUTO_TEST_CASE(exceptions_of_the_callback_leave_the_points)
+{
+  const Points noisy = noisy_cube(6);
+  for (const double when : {0., .1, .3, .5, .9, 1.}) {
+    const auto throwing = [when](double share) -> bool {
+      if (share >= when)
+        throw std::runtime_error("from the callback");
+      return true;
+    };
+    Points points = noisy;
+    BOOST_CHECK_THROW(CGAL::balanced_flow_smooth_point_set<CGAL::Parallel_if_available_tag>(
+                          points, np::callback(std::function<bool(double)>(throwing))),
+                      std::runtime_error);
+    BOOST_TEST((points == noisy));
+  }
+}
