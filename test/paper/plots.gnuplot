@@ -47,7 +47,8 @@ set grid lc rgb "#dddddd"
 set xlabel "steps"
 set ylabel "E(u, M0), % of the radius"
 set arrow from 0, 0.496 to 30, 0.496 nohead dt 2 lw 2 lc rgb "black"
-set label "the paper: 0.12 / 24.20" at 30, 0.6 right
+set label "the paper: 0.12 / 24.20" at 29.7, 0.8 right
+set key outside top center horizontal
 plot data."/fig6_curve.txt" using 1:2 with linespoints lw 2.5 pt 7 lc rgb "#2b5c8a" title "volume-preserving (7)", \
      "" using 1:4 with linespoints lw 2.5 pt 5 lc rgb "#66a61e" title "volume-preserving (7), default estimator", \
      "" using 1:3 with linespoints lw 2.5 pt 9 lc rgb "#b2182b" title "balanced (9)"
