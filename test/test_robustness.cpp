@@ -199,10 +199,15 @@ namespace {
 /// Points and vectors with nothing but what the documentation asks for
 struct Minimal_kernel {
   typedef float FT;
+  template <typename>
+  struct Ambient_dimension { // CGAL 6.2 asks for it, and for R
+    typedef CGAL::Dimension_tag<3> type;
+  };
   class Triple {
     float m_x, m_y, m_z;
 
   public:
+    typedef Minimal_kernel R;
     Triple(float x, float y, float z) : m_x(x), m_y(y), m_z(z) {}
     float x() const { return m_x; }
     float y() const { return m_y; }
