@@ -19,7 +19,9 @@ build_and_test() { # name, flags
 
 for tool in "${@:-all}"; do
   case $tool in address|all)
-    build_and_test sanitize-address "-fsanitize=address,undefined,float-cast-overflow -fno-sanitize-recover=all" ;;
+    # frame pointers: for the stacks of what was lost
+    export LSAN_OPTIONS="suppressions=$PWD/test/leak_sanitizer.supp"
+    build_and_test sanitize-address "-fno-omit-frame-pointer -fsanitize=address,undefined,float-cast-overflow -fno-sanitize-recover=all" ;;
   esac
   case $tool in thread|all)
     # Debian's TBB is not built for the sanitizer, which does not see how TBB synchronises

@@ -118,8 +118,20 @@ BOOST_AUTO_TEST_CASE(wherever_memory_ends_the_points_are_unchanged_and_nothing_l
     BOOST_TEST_MESSAGE(n << " allocations in blocks of " << block_size);
     BOOST_TEST(n > 50);
   }
-  // not with Parallel_tag: where TBB itself gets no memory it may wait for ever
 }
+
+#ifdef CGAL_LINKED_WITH_TBB
+BOOST_AUTO_TEST_CASE(wherever_memory_ends_in_a_task_the_points_are_unchanged)
+{
+  const std::vector<Pair> noisy = with_normals(noisy_cube(12));
+  ends_with<CGAL::Parallel_tag>(-1, noisy, 400); // whatever is made only once
+  long n = 0;
+  while (!ends_with<CGAL::Parallel_tag>(n, noisy, 400))
+    n += 1 + n / 20;
+  BOOST_TEST_MESSAGE(n << " allocations in threads");
+  BOOST_TEST(n > 50);
+}
+#endif
 
 // ---- threads
 
