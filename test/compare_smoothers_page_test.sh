@@ -2,16 +2,9 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # Tests the page of compare_smoothers --html: the file by itself, and in Chromium if it is installed.
 #   compare_smoothers_page_test.sh <program> <directory of CGAL's sample data> <work directory>
-set -u
-program=$1 data=$2 work=$3
 check_script=$(cd "$(dirname "$0")" && pwd)/compare_smoothers_page_check.js
-rm -rf "$work" && mkdir -p "$work" && cd "$work" || exit 1
+. "$(dirname "$0")/program_test.sh"
 
-check() { # check "what" command...
-  local what=$1
-  shift
-  if "$@"; then echo "ok: $what"; else echo "FAILED: $what"; exit 1; fi
-}
 quietly() { "$@" > log 2>&1 || { cat log; false; }; }
 data_of() { sed -n 's|^.*<script type="application/json" id="data">||p' "$1" | sed 's|\\/|/|g'; }
 # the numbers of the arrays of that name, one array after the other: sizes in bytes

@@ -2,15 +2,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # Tests the program compare_smoothers from outside.
 #   compare_smoothers_test.sh <program> <directory of CGAL's sample data> <work directory>
-set -u
-program=$1 data=$2 work=$3
-rm -rf "$work" && mkdir -p "$work" && cd "$work" || exit 1
+. "$(dirname "$0")/program_test.sh"
 
-check() { # check "what" command...
-  local what=$1
-  shift
-  if "$@"; then echo "ok: $what"; else echo "FAILED: $what"; exit 1; fi
-}
 # field file row column: a number of the CSV table by the names of its row and column
 field() {
   tr -d '"' < "$1" | sed 's/, /; /g' | awk -F, -v row="$2" -v column="$3" '

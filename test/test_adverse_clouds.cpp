@@ -3,9 +3,7 @@
 #define BOOST_TEST_MODULE adverse_clouds
 #include <boost/test/included/unit_test.hpp>
 
-#include "shapes.h"
-
-#include <CGAL/balanced_flow_smooth_point_set.h>
+#include "smoothed.h"
 
 #include <ctime>
 #include <map>
@@ -14,16 +12,6 @@ namespace np = CGAL::parameters;
 using shapes::noisy_cube;
 using shapes::Points;
 typedef CGAL::Sequential_tag Sequential;
-
-namespace {
-
-Points smoothed(Points points)
-{
-  CGAL::balanced_flow_smooth_point_set<Sequential>(points, 20);
-  return points;
-}
-
-} // namespace
 
 // ---- coordinates far from 0
 

@@ -3,9 +3,7 @@
 #define BOOST_TEST_MODULE safety
 #include <boost/test/included/unit_test.hpp>
 
-#include "shapes.h"
-
-#include <CGAL/balanced_flow_smooth_point_set.h>
+#include "smoothed.h"
 
 #include <boost/property_map/property_map.hpp>
 
@@ -19,16 +17,6 @@ using shapes::largest_difference;
 using shapes::noisy_cube;
 using shapes::Points;
 typedef CGAL::Sequential_tag Sequential;
-
-namespace {
-
-Points smoothed(Points points)
-{
-  CGAL::balanced_flow_smooth_point_set<Sequential>(points, 20);
-  return points;
-}
-
-} // namespace
 
 // ---- progress and cancelling
 

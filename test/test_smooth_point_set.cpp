@@ -3,11 +3,10 @@
 #define BOOST_TEST_MODULE smooth_point_set
 #include <boost/test/included/unit_test.hpp>
 
-#include "shapes.h"
+#include "smoothed.h"
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Point_set_3.h>
-#include <CGAL/balanced_flow_smooth_point_set.h>
 
 #include <deque>
 #include <list>
@@ -22,12 +21,6 @@ using shapes::Points;
 typedef CGAL::Sequential_tag Sequential;
 
 namespace {
-
-Points smoothed(Points points)
-{
-  CGAL::balanced_flow_smooth_point_set<Sequential>(points, 20);
-  return points;
-}
 
 /// The points of a range, read through a map
 template <typename Range, typename Map>

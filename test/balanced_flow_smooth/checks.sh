@@ -1,15 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-# What the tests of the program balanced-flow-smooth share; each is called as
-#   TEST.sh <program> <directory of CGAL's sample data> <work directory>
-set -u
-program=$1 data=$2 work=$3
-rm -rf "$work" && mkdir -p "$work" && cd "$work" || exit 1
+# What the tests of the program balanced-flow-smooth share
+. "$(dirname "$0")/../program_test.sh"
 
-check() { # check "what" command...
-  local what=$1
-  shift
-  if "$@"; then echo "ok: $what"; else echo "FAILED: $what"; exit 1; fi
-}
 fails_with() { # fails_with code "part of the message" command...
   local code=$1 message=$2 out status
   shift 2
