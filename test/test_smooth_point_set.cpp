@@ -34,6 +34,12 @@ Points points_of(const Range& range, Map map)
   return points;
 }
 
+template <typename Pack, typename = void>
+struct Takes_step_length : std::false_type {};
+template <typename Pack>
+struct Takes_step_length<Pack, std::void_t<decltype(std::declval<Pack>().step_length(.5))>>
+    : std::true_type {};
+
 } // namespace
 
 // ---- drop-in use: whatever the range, the result is that of a vector of points
@@ -174,6 +180,15 @@ BOOST_AUTO_TEST_CASE(named_parameters_combine_in_any_order)
   BOOST_TEST((run(np::sharpness_angle(10)) != run(np::sharpness_angle(80))));
   BOOST_TEST((run(np::feature_threshold(1e3).sharpness_angle(10)) ==
               run(np::feature_threshold(1e3).sharpness_angle(80))));
+}
+
+// or the parameters of CGAL between would be lost
+BOOST_AUTO_TEST_CASE(parameters_of_the_package_are_refused_after_one_of_cgal)
+{
+  const auto ours = np::feature_threshold(1000.).update_period(4);
+  const auto cgals = ours.number_of_iterations(8);
+  BOOST_TEST(Takes_step_length<decltype(ours)>::value);
+  BOOST_TEST(!Takes_step_length<decltype(cgals)>::value);
 }
 
 BOOST_AUTO_TEST_CASE(without_k_the_size_is_chosen_from_the_data)

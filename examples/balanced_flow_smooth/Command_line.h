@@ -180,7 +180,8 @@ private:
       for (const std::string& file : m_files) {
         if (file == "-")
           throw Usage_error("standard input has no place or name: write to - or a file");
-        m_settings.jobs.push_back({file, m_in_place ? std::filesystem::path(file) : in_directory(file), true});
+        m_settings.jobs.push_back(
+            {file, m_in_place ? std::filesystem::path(file) : in_directory(file), true});
         if (!outputs.insert(m_settings.jobs.back().output).second)
           throw Usage_error("two files would become " + m_settings.jobs.back().output.string());
       }

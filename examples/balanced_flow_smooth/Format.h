@@ -53,7 +53,8 @@ inline Format format_of_bytes(const std::string& bytes)
   if (bytes.substr(0, 200).find("OFF") != std::string::npos)
     return Format::OFF;
   const auto is_control = [](unsigned char c) { return c < ' ' && !std::isspace(c); };
-  if (std::any_of(bytes.begin(), bytes.begin() + std::ptrdiff_t((std::min)(bytes.size(), size_t(200))),
+  if (std::any_of(bytes.begin(),
+                  bytes.begin() + std::ptrdiff_t((std::min)(bytes.size(), size_t(200))),
                   is_control))
     throw std::runtime_error("the format can not be guessed: use --format");
   return Format::XYZ;

@@ -23,10 +23,10 @@ const std::vector<std::string> synopsis = {
 };
 
 const std::vector<std::string> description = {
-    "Smooths the points of each INPUT by dynamic balanced flow and writes them to OUTPUT, to a file "
-    "of the same name in DIR, or back to FILE. Noise, neighborhoods and all else that the method "
-    "needs are found in the data. INPUT may be -, standard input, and OUTPUT may be -, standard "
-    "output.",
+    "Smooths the points of each INPUT by dynamic balanced flow and writes them to OUTPUT, to a "
+    "file of the same name in DIR, or back to FILE. Noise, neighborhoods and all else that the "
+    "method needs are found in the data. INPUT may be -, standard input, and OUTPUT may be -, "
+    "standard output.",
     "In the same format, nothing changes in a file but coordinates and, where there are any, "
     "normals: all other bytes stay, as do the types of the numbers. A number that does not change "
     "keeps its bytes, too.",
@@ -37,12 +37,14 @@ const std::vector<std::string> description = {
 
 const std::vector<std::pair<std::string, std::string>> formats = {
     {"ply", "ASCII or binary of either byte order, with any properties, lists and elements."},
-    {"xyz", "also pwn, txt, pts: lines of x y z, the normal if columns 4 to 6 are unit vectors, and "
-            "anything else; empty lines, comments from # or // on, and a first line with the number "
-            "of points are kept."},
+    {"xyz",
+     "also pwn, txt, pts: lines of x y z, the normal if columns 4 to 6 are unit vectors, and "
+     "anything else; empty lines, comments from # or // on, and a first line with the number "
+     "of points are kept."},
     {"off", "text, also COFF, NOFF, STOFF and so on, with the faces."},
-    {"las, laz", "if the program was built with PDAL: offsets, scales, classification, time and all "
-                 "other dimensions are kept."},
+    {"las, laz",
+     "if the program was built with PDAL: offsets, scales, classification, time and all "
+     "other dimensions are kept."},
 };
 
 const std::vector<std::string> on_formats = {
@@ -66,7 +68,8 @@ const std::vector<std::pair<std::string, std::string>> examples = {
     {"balanced-flow-smooth --in-place --json=report.json scans/*.ply",
      "Smooth many files where they are, with a report for programs."},
     {"zcat scan.ply.gz | balanced-flow-smooth - - | gzip > smoothed.ply.gz", "In a pipeline."},
-    {"find . -name '*.xyz' -exec balanced-flow-smooth -q --in-place {} +", "All below a directory."},
+    {"find . -name '*.xyz' -exec balanced-flow-smooth -q --in-place {} +",
+     "All below a directory."},
 };
 
 } // namespace manual

@@ -66,8 +66,8 @@ public:
     std::size_t i = 0;
     for_each_record(false, [&](const Record& r) {
       const Point_3& p = points[i++];
-      total += std::hypot(p.x() - r.coordinates[0], p.y() - r.coordinates[1],
-                          p.z() - r.coordinates[2]);
+      total +=
+          std::hypot(p.x() - r.coordinates[0], p.y() - r.coordinates[1], p.z() - r.coordinates[2]);
     });
     return points.empty() ? 0. : total / double(points.size());
   }

@@ -31,8 +31,9 @@ struct File_report {
 inline std::string neighbors_to_text(const Parameters& p)
 {
   const std::string most = std::to_string(p.most_neighbors);
-  return p.fewest_neighbors == p.most_neighbors ? most
-                                                : std::to_string(p.fewest_neighbors) + " to " + most;
+  return p.fewest_neighbors == p.most_neighbors
+             ? most
+             : std::to_string(p.fewest_neighbors) + " to " + most;
 }
 
 /// For people

@@ -27,10 +27,7 @@ namespace {
 
 enum Exit_code { SUCCESS = 0, BAD_USAGE = 1, BAD_FILE = 2, SIGNALLED = 128 };
 
-void complain(const std::string& what)
-{
-  std::cerr << program_name << ": " << what << std::endl;
-}
+void complain(const std::string& what) { std::cerr << program_name << ": " << what << std::endl; }
 
 /// Draws a progress bar, at most ten times a second, and stops the run after Ctrl-C.
 class Progress_bar {

@@ -86,8 +86,7 @@ inline std::unique_ptr<Point_file> read_point_bytes(std::string bytes,
 /// \param format if it is empty, it is found from the name, and for standard input from the bytes
 /// \param with_normals whether normals are wanted that are not in the file
 inline std::unique_ptr<Point_file> read_point_file(const std::filesystem::path& path,
-                                                   std::optional<Format>& format,
-                                                   bool with_normals)
+                                                   std::optional<Format>& format, bool with_normals)
 {
   const Nothing_at_stake nothing_at_stake;
   const bool from_stream = is_standard_stream(path);
@@ -113,8 +112,9 @@ inline std::unique_ptr<Point_file> read_point_file(const std::filesystem::path& 
 
 [[noreturn]] inline void fail_to_write(const std::filesystem::path& path, const std::string& why)
 {
-  throw std::runtime_error(
-      "cannot write " + (is_standard_stream(path) ? "standard output" : path.string()) + ": " + why);
+  throw std::runtime_error("cannot write " +
+                           (is_standard_stream(path) ? "standard output" : path.string()) + ": " +
+                           why);
 }
 
 /// Throws `std::runtime_error` if the output could not be written, before any work is done.

@@ -73,7 +73,7 @@ inline void print_help(std::ostream& out, const Command_line& command_line)
   print_terms("Exit status", manual::exit_status);
 }
 
-/// Text as the language of manual pages has it
+/// A line as the language of manual pages has it
 inline std::string to_roff(const std::string& text)
 {
   std::string roff;
@@ -89,13 +89,23 @@ inline std::string to_roff(const std::string& text)
   return (!text.empty() && text[0] == '.' ? "\\&" : "") + roff;
 }
 
+/// A paragraph in the same language, in short lines
+inline std::string paragraph_to_roff(const std::string& text)
+{
+  std::istringstream lines(wrap(text, 0));
+  std::string roff, line;
+  while (std::getline(lines, line))
+    roff += to_roff(line) + '\n';
+  return roff;
+}
+
 /// \param date of the page, for its foot
 inline void print_manual_page(std::ostream& out, const Command_line& command_line,
                               const std::string& date)
 {
   const std::string name = to_roff(program_name);
   out << ".\\\" SPDX-License-Identifier: GPL-3.0-or-later\n"
-      << ".TH BALANCED\\-FLOW\\-SMOOTH 1 \"" << to_roff(date) << "\" \"" << name << ' '
+      << ".TH BALANCED\\-FLOW\\-SMOOTH 1 \"" << date << "\" \"" << name << ' '
       << BALANCED_FLOW_VERSION << "\" \"User Commands\"\n"
       << ".SH NAME\n"
       << name << " \\- " << to_roff(manual::summary) << "\n.SH SYNOPSIS\n";
@@ -107,7 +117,7 @@ inline void print_manual_page(std::ostream& out, const Command_line& command_lin
   out << ".SH DESCRIPTION\n";
   between = "";
   for (const std::string& paragraph : manual::description) {
-    out << between << to_roff(paragraph) << '\n';
+    out << between << paragraph_to_roff(paragraph);
     between = ".PP\n";
   }
   out << ".SH OPTIONS\n";
@@ -122,17 +132,17 @@ inline void print_manual_page(std::ostream& out, const Command_line& command_lin
       if (!parts.argument.empty())
         out << (parts.argument_is_optional ? "[=" : " ") << "\\fI" << to_roff(parts.argument)
             << "\\fR" << (parts.argument_is_optional ? "]" : "");
-      out << '\n' << to_roff(option->description()) << '\n';
+      out << '\n' << paragraph_to_roff(option->description());
     }
   }
   const auto print_terms = [&](const char* title, const auto& terms) {
     out << ".SH " << title << '\n';
     for (const auto& [term, text] : terms)
-      out << ".TP\n.B " << to_roff(term) << '\n' << to_roff(text) << '\n';
+      out << ".TP\n.B " << to_roff(term) << '\n' << paragraph_to_roff(text);
   };
   print_terms("FORMATS", manual::formats);
   for (const std::string& paragraph : manual::on_formats)
-    out << ".PP\n" << to_roff(paragraph) << '\n';
+    out << ".PP\n" << paragraph_to_roff(paragraph);
   print_terms("EXIT STATUS", manual::exit_status);
   print_terms("EXAMPLES", manual::examples);
   out << ".SH SEE ALSO\n"

@@ -122,8 +122,8 @@ Parameters find_parameters(const std::vector<Point_3>& points, const Smoothing_s
   options.filter_width = s.filter_width;
 
   core::Progress progress(callback, core::work::order + core::work::tree + core::work::scale);
-  core::Array<flows::Point_3> copy = core::copy_in<Point_3>(
-      points, CGAL::Identity_property_map<Point_3>(), "points");
+  core::Array<flows::Point_3> copy =
+      core::copy_in<Point_3>(points, CGAL::Identity_property_map<Point_3>(), "points");
   const core::Frame frame = core::find_frame(Concurrency_tag(), copy, progress);
   core::move_to_core(copy, frame);
   const core::Point_buffer buffer(Concurrency_tag(), copy, {}, {}, progress, core::work::order);
@@ -140,7 +140,8 @@ Parameters find_parameters(const std::vector<Point_3>& points, const Smoothing_s
   found.fewest_neighbors = found.most_neighbors = unsigned(plan.search.k);
   if (plan.uses_normals && !s.k && plan.noise_map.spacing() > 0.) {
     found.most_neighbors = 0;
-    for (const double noise : plan.noise_map.noise_at(Concurrency_tag(), buffer.reference, progress, 0.)) {
+    for (const double noise :
+         plan.noise_map.noise_at(Concurrency_tag(), buffer.reference, progress, 0.)) {
       const unsigned int k =
           core::neighborhood_size(plan.defaults, noise / plan.noise_map.spacing());
       found.fewest_neighbors = (std::min)(found.fewest_neighbors, k);

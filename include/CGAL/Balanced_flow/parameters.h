@@ -35,17 +35,19 @@ CGAL_BALANCED_FLOW_FOR_EACH_PARAMETER(CGAL_BALANCED_FLOW_TAG)
 /// package's parameters come first.
 ///
 /// \cgal has no way to add a named parameter from outside before its release 5.6 (`combine()`);
-/// this way works with all releases from 5.5 on.
+/// this way works with all releases from 5.5 on. A pack inherits the one before it, therefore the
+/// one before is always stored as \cgal's: a member found there would leave out what came between.
 template <typename T, typename Tag, typename Base = CGAL::internal_np::No_property>
 struct Named_parameters : public Named_function_parameters<T, Tag, Base> {
-  using Named_function_parameters<T, Tag, Base>::Named_function_parameters;
+  typedef Named_function_parameters<T, Tag, Base> Pack;
+  using Pack::Pack;
 
 /// \cond SKIP_IN_MANUAL
 #define CGAL_BALANCED_FLOW_MEMBER(NAME)                                                            \
   template <typename K>                                                                            \
-  Named_parameters<K, internal_np::NAME##_t, Named_parameters> NAME(const K& value) const          \
+  Named_parameters<K, internal_np::NAME##_t, Pack> NAME(const K& value) const                      \
   {                                                                                                \
-    return Named_parameters<K, internal_np::NAME##_t, Named_parameters>(value, *this);             \
+    return Named_parameters<K, internal_np::NAME##_t, Pack>(value, *this);                         \
   }
   CGAL_BALANCED_FLOW_FOR_EACH_PARAMETER(CGAL_BALANCED_FLOW_MEMBER)
 #undef CGAL_BALANCED_FLOW_MEMBER

@@ -6,7 +6,4 @@
 #error "the target BalancedFlow::balanced_flow does not pass on CGAL's"
 #endif
 
-int main()
-{
-  return sizeof(CGAL::Point_set_flow::Balanced_flow) > 0 ? 0 : 1;
-}
+int main() { return sizeof(CGAL::Point_set_flow::Balanced_flow) > 0 ? 0 : 1; }

@@ -34,8 +34,10 @@ inline Points non_iterative(const Points& points, unsigned int k, double influen
     mollified[i] += sum / weights;
   }
   const Vectors normals = normals_in_order(with_normals<CGAL::Sequential_tag>(mollified, false, k));
-  const double sigma_g = influence * typical_offset(
-      points, normals_in_order(with_normals<CGAL::Sequential_tag>(points, false, k)), neighbors);
+  const double sigma_g =
+      influence *
+      typical_offset(points, normals_in_order(with_normals<CGAL::Sequential_tag>(points, false, k)),
+                     neighbors);
 
   Points moved = points;
   for (std::size_t i = 0; i < points.size(); ++i) {
