@@ -54,6 +54,8 @@ function(copy_source from to)
   endif()
   # named parameters are in CGAL's own list
   string(REPLACE "#include <CGAL/Balanced_flow/parameters.h>" "#include <CGAL/Named_function_parameters.h>" text "${text}")
+  # CGAL's tests link with no library of Boost
+  string(REPLACE "#include <boost/test/unit_test.hpp>" "#include <boost/test/included/unit_test.hpp>" text "${text}")
   if(from STREQUAL "include/CGAL/balanced_flow_smooth_point_set.h")
     replace_once(text " Those of this package, from `flow` on, must come first." "")
   endif()

@@ -8,14 +8,11 @@ sh cmake/install_packages.sh g++ clang make cmake binutils libcgal-dev libcgal-d
   libboost-test-dev libboost-program-options-dev nlohmann-json3-dev python3 pkgconf
 
 cmake --preset debug-clang-no-tbb -D BALANCED_FLOW_BUILD_EXAMPLES=OFF
-# some of the core tests, which take in all headers: compiling takes the time
-tests="test_estimators test_flows test_smooth_point_set test_errors test_properties"
-# shellcheck disable=SC2086
-cmake --build build/debug-clang-no-tbb --parallel 2 --target $tests
-ctest --test-dir build/debug-clang-no-tbb --output-on-failure -R "^($(echo "$tests" | sed 's/ /|/g'))$"
+cmake --build build/debug-clang-no-tbb --parallel 2 --target core_tests_in_short
+ctest --test-dir build/debug-clang-no-tbb --output-on-failure --parallel 2 --label-regex in_short
 
 cmake --preset release -D BALANCED_FLOW_BUILD_TESTS=ON -D BALANCED_FLOW_BUILD_BENCHMARKS=ON
 cmake --build build/release --parallel 2
-ctest --test-dir build/release --output-on-failure
+ctest --test-dir build/release --output-on-failure --parallel 2
 
 sh doc/build_manual.sh

@@ -97,7 +97,7 @@ for suite in sid trixie installed; do
       result "$name-fast" refuses "must not be compiled with -ffast-math" $compiler -fsyntax-only -ffast-math "$@"
       result "$name-eigen" refuses "needs Eigen" $compiler -fsyntax-only -std=c++17 -Iinclude test/consumer/main.cpp
       [ -z "$properties" ] || result "$name-properties" runs "$name-properties" $compiler $tbb $common \
-        $(include_cgal $suite) -O1 test/test_properties.cpp
+        $(include_cgal $suite) -O1 -DBOOST_TEST_DYN_LINK test/test_properties.cpp -lboost_unit_test_framework
     }
     echo
   done

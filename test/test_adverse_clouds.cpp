@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What balanced_flow_smooth_point_set() makes of coordinates and clouds that other programs choke on.
 #define BOOST_TEST_MODULE adverse_clouds
-#include <boost/test/included/unit_test.hpp>
+#include <boost/test/unit_test.hpp>
 
 #include "smoothed.h"
 

@@ -10,7 +10,7 @@
 #include "comparison/Smoothing_measures.h"
 #include "comparison/sample_mesh.h"
 
-#include <boost/test/included/unit_test.hpp>
+#include <boost/test/unit_test.hpp>
 
 namespace {
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What balanced_flow_smooth_point_set() does with bad arguments and failing maps; minimal kernels.
 #define BOOST_TEST_MODULE errors
-#include <boost/test/included/unit_test.hpp>
+#include <boost/test/unit_test.hpp>
 
 #include "shapes.h"
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What the paper says of its flows, with numbers, for the paper's estimator.
 #define BOOST_TEST_MODULE flows
-#include <boost/test/included/unit_test.hpp>
+#include <boost/test/unit_test.hpp>
 
 #include "shapes.h"
 

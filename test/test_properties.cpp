@@ -2,7 +2,7 @@
 // What holds for any finite points and any valid parameters, tried on thousands of random cases. A
 // failure prints the seed of its case: test_properties --run_test=... -- SEED runs that one alone.
 #define BOOST_TEST_MODULE properties
-#include <boost/test/included/unit_test.hpp>
+#include <boost/test/unit_test.hpp>
 
 #include "random_clouds.h"
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Where memory ends, calls from many threads, minimal kernels, large numbers.
 #define BOOST_TEST_MODULE robustness
-#include <boost/test/included/unit_test.hpp>
+#include <boost/test/unit_test.hpp>
 
 #include "shapes.h"
 

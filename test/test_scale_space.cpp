@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Balanced_flow_smoother as a model of the concept Smoother of CGAL's scale space reconstruction.
 #define BOOST_TEST_MODULE scale_space
-#include <boost/test/included/unit_test.hpp>
+#include <boost/test/unit_test.hpp>
 
 #include "shapes.h"
 

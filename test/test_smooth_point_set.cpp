@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The contract of balanced_flow_smooth_point_set(): drop-in use and invariances.
 #define BOOST_TEST_MODULE smooth_point_set
-#include <boost/test/included/unit_test.hpp>
+#include <boost/test/unit_test.hpp>
 
 #include "smoothed.h"
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The stages one by one, against known answers and against CGAL.
 #define BOOST_TEST_MODULE stages
-#include <boost/test/included/unit_test.hpp>
+#include <boost/test/unit_test.hpp>
 
 #include "shapes.h"
 

@@ -6,6 +6,7 @@
 #include "Smoothers.h"
 
 #include <CGAL/Eigen_diagonalize_traits.h>
+#include <CGAL/balanced_flow_smooth_point_set.h>
 
 #include <random>
 

@@ -4,8 +4,7 @@
 
 #include "Surface.h"
 
-#include <CGAL/mst_orient_normals.h>
-#include <CGAL/pca_estimate_normals.h>
+#include <CGAL/Named_function_parameters.h>
 #include <CGAL/property_map.h>
 
 #include <tuple>
@@ -22,18 +21,9 @@ inline auto numbered_point_maps()
 }
 
 /// PCA normals, on consistent sides if wanted. Orienting reorders the points, so they carry their
-/// numbers.
-template <typename Concurrency_tag>
-Numbered_points with_normals(const Points& points, bool orient, unsigned int k = 18)
-{
-  Numbered_points result;
-  for (const Point_3& p : points)
-    result.emplace_back(p, CGAL::NULL_VECTOR, result.size());
-  CGAL::pca_estimate_normals<Concurrency_tag>(result, k, numbered_point_maps());
-  if (orient)
-    CGAL::mst_orient_normals(result, k, numbered_point_maps());
-  return result;
-}
+/// numbers. For both concurrency tags.
+template <typename ConcurrencyTag>
+Numbered_points with_normals(const Points& points, bool orient, unsigned int k = 18);
 
 /// The normals in the order of the points that were given
 inline Vectors normals_in_order(const Numbered_points& points)

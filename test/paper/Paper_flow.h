@@ -4,6 +4,8 @@
 
 #include "comparison/Smoothers.h"
 
+#include <CGAL/balanced_flow_smooth_point_set.h>
+
 #include <functional>
 
 /// A flow of any kind; one type, so that CGAL is compiled once for all of them. Since it has no

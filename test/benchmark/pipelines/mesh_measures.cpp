@@ -6,6 +6,7 @@
 #include "comparison/sample_mesh.h"
 
 #include <CGAL/Polygon_mesh_processing/connected_components.h>
+#include <CGAL/Polygon_mesh_processing/repair_polygon_soup.h>
 #include <CGAL/Polygon_mesh_processing/stitch_borders.h>
 
 Reconstructed mesh_of(const Epick_points& points, const Triangles& triangles)

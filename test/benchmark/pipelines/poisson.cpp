@@ -4,6 +4,7 @@
 #include "comparison/Smoothing_measures.h"
 
 #include <CGAL/compute_average_spacing.h>
+#include <CGAL/mst_orient_normals.h>
 #include <CGAL/poisson_surface_reconstruction.h>
 #include <CGAL/version.h>
 
