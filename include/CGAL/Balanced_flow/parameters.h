@@ -39,7 +39,7 @@ CGAL_BALANCED_FLOW_FOR_EACH_PARAMETER(CGAL_BALANCED_FLOW_TAG)
 /// one before is always stored as \cgal's: a member found there would leave out what came between.
 template <typename T, typename Tag, typename Base = CGAL::internal_np::No_property>
 struct Named_parameters : public Named_function_parameters<T, Tag, Base> {
-  typedef Named_function_parameters<T, Tag, Base> Pack;
+  typedef Named_function_parameters<T, Tag, Base> Pack; ///< the same as a pack of \cgal's
   using Pack::Pack;
 
 /// \cond SKIP_IN_MANUAL
