@@ -29,7 +29,9 @@ for tool in "${@:-all}"; do
     build_and_test sanitize-thread "-fsanitize=thread" ;;
   esac
   case $tool in valgrind|all)
-    cmake -S . -B build/valgrind -D CMAKE_BUILD_TYPE=Debug -D CMAKE_CXX_FLAGS_DEBUG="-O1 -g1"
+    # valgrind rounds to nearest only, which CGAL finds out when the program starts; nothing of ours needs another way
+    cmake -S . -B build/valgrind -D CMAKE_BUILD_TYPE=Debug \
+      -D CMAKE_CXX_FLAGS_DEBUG="-O1 -g1 -D CGAL_DISABLE_ROUNDING_MATH_CHECK"
     cmake --build build/valgrind --parallel 2 --target test_errors
     valgrind --error-exitcode=1 --leak-check=full --errors-for-leak-kinds=definite,indirect \
       build/valgrind/test/test_errors ;;
