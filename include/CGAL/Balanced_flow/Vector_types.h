@@ -5,13 +5,11 @@
 // Infinite and NaN coordinates are recognised, and results do not depend on threads or compilers:
 // neither is true where the compiler may do as if there were no such numbers.
 #if defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__
-#error                                                                                             \
-    "CGAL::balanced_flow_smooth_point_set must not be compiled with -ffast-math or -ffinite-math-only"
+#error "balanced_flow_smooth_point_set() must not be compiled with -ffast-math, -ffinite-math-only"
 #endif
 
 #if !__has_include(<Eigen/Core>)
-#error                                                                                             \
-    "CGAL::balanced_flow_smooth_point_set needs Eigen 3.3 or newer (Debian, Ubuntu: libeigen3-dev)"
+#error "balanced_flow_smooth_point_set() needs Eigen 3.3 or newer (Debian: libeigen3-dev)"
 #endif
 
 #include <CGAL/Simple_cartesian.h>
