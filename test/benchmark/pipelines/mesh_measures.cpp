@@ -6,7 +6,6 @@
 #include "comparison/sample_mesh.h"
 
 #include <CGAL/Polygon_mesh_processing/connected_components.h>
-#include <CGAL/Polygon_mesh_processing/repair_polygon_soup.h>
 #include <CGAL/Polygon_mesh_processing/stitch_borders.h>
 
 Reconstructed mesh_of(const Epick_points& points, const Triangles& triangles)
@@ -17,7 +16,6 @@ Reconstructed mesh_of(const Epick_points& points, const Triangles& triangles)
   Polygons polygons;
   for (const auto& t : triangles)
     polygons.push_back({t[0], t[1], t[2]});
-  CGAL::Polygon_mesh_processing::remove_isolated_points_in_polygon_soup(soup, polygons);
   return make_mesh(std::move(soup), std::move(polygons));
 }
 
