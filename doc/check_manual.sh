@@ -33,8 +33,8 @@ for page in *.html; do
   echo "$page: $rendered of $equations equations rendered, $errors with errors"
   [ "$rendered" -ge "$equations" ] && [ "$errors" = 0 ] || bad=1
 done
-for page in index design performance accuracy citelist group__PkgBalancedFlowRef group__PkgBalancedFlowFunctions \
-  group__PkgBalancedFlowParameters classPointSetFlow; do
+for page in index design performance accuracy citelist group__PkgPointSetFlowRef group__PkgPointSetFlowFunctions \
+  group__PkgPointSetFlowParameters classPointSetFlow; do
   browse --window-size=1250,2000 --screenshot="../pages/$page.png" "file://$PWD/$page.html" > /dev/null
 done
 echo "pictures: build/manual/pages"

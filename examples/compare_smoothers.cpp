@@ -56,7 +56,7 @@ std::vector<Named_method> all_methods()
     {"well-posed", "well-posed flow (6)", [](const Points& p) { return paper_flow(p, Well_posed_anisotropic_flow()); }},
     {"volume-preserving", "volume-preserving flow (7)", [](const Points& p) { return paper_flow(p, Volume_preserving_flow()); }},
     {"balanced", "balanced flow (9)", [](const Points& p) { return paper_flow(p, Balanced_flow()); }},
-    {"ours", "this package, defaults", [](const Points& p) { return balanced_flow(p); }}};
+    {"ours", "this package, defaults", [](const Points& p) { return point_set_flow(p); }}};
   // clang-format on
 }
 

@@ -37,8 +37,8 @@ int main()
   std::cout << "first normal: " << pairs.front().second << std::endl;
 
   // tuples, and a callback; this package's own parameters come first
-  typedef std::tuple<Point_3, unsigned char, std::string> Labelled_point;
-  std::vector<Labelled_point> tuples;
+  typedef std::tuple<Point_3, unsigned char, std::string> Labeled_point;
+  std::vector<Labeled_point> tuples;
   for (const Point_3& p : sphere)
     tuples.emplace_back(p, 7, "sphere");
   const double moved = CGAL::balanced_flow_smooth_point_set<Concurrency_tag>(
@@ -46,7 +46,7 @@ int main()
                   .update_period(6)
                   .number_of_iterations(18)
                   .sharpness_angle(20.)
-                  .point_map(CGAL::Nth_of_tuple_property_map<0, Labelled_point>())
+                  .point_map(CGAL::Nth_of_tuple_property_map<0, Labeled_point>())
                   .callback([](double share) { return share <= 1.; })); // false would cancel
   std::cout << "mean movement of the last iteration: " << moved << std::endl;
 

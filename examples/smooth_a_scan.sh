@@ -7,7 +7,7 @@ cd "$(dirname "$0")/.."
 sh cmake/install_packages.sh g++ make cmake libcgal-dev libcgal-demo libeigen3-dev libtbb-dev \
   libboost-program-options-dev nlohmann-json3-dev f3d xvfb xauth libgl1-mesa-dri imagemagick fonts-dejavu-core
 
-cmake --preset release -D BALANCED_FLOW_BUILD_TESTS=OFF
+cmake --preset release -D POINT_SET_FLOW_BUILD_TESTS=OFF
 cmake --build build/release --parallel 2 --target balanced-flow-smooth reconstruction_example
 
 mkdir -p build/scan

@@ -37,26 +37,26 @@ cmake -D OUT="$work/package" -D CGAL_INCLUDE_DIR="$work/cgal.orig/usr/include" -
 # Into CGAL: packages of its tree have folders of their own, an installed CGAL has one for all
 cp -r "$work/cgal.orig" "$work/cgal"
 include=$work/cgal/usr/include
-cp -r "$work/package/Balanced_flow/include/CGAL" "$work/package/Installation/include/CGAL" "$include"
-patch --directory "$include" --strip 3 --fuzz 0 <"$work/package/balanced_flow.patch"
+cp -r "$work/package/Point_set_flow/include/CGAL" "$work/package/Installation/include/CGAL" "$include"
+patch --directory "$include" --strip 3 --fuzz 0 <"$work/package/point_set_flow.patch"
 
 # Each header on its own; and the packages whose headers they include, which package_info lists
 flags="-std=c++17 -I $include -I /usr/include/eigen3 -D CGAL_EIGEN3_ENABLED"
-(cd "$work/package/Balanced_flow/include" && find . -name '*.h' | sort) | sed 's,^\./\(.*\),#include <\1>,' >"$work/all.cpp"
+(cd "$work/package/Point_set_flow/include" && find . -name '*.h' | sort) | sed 's,^\./\(.*\),#include <\1>,' >"$work/all.cpp"
 # shellcheck disable=SC2086
 ${CXX:-c++} $flags -M "$work/all.cpp" | tr -d '\\' | tr ' ' '\n' | grep "^$include/CGAL/" |
-  xargs sed -n 's,^// $URL: .*/cgal/blob/[^/]*/\([^/]*\)/.*,\1,p; s,^// $URL\$,Balanced_flow,p' |
+  xargs sed -n 's,^// $URL: .*/cgal/blob/[^/]*/\([^/]*\)/.*,\1,p; s,^// $URL\$,Point_set_flow,p' |
   LC_ALL=C sort -u >"$work/dependencies"
-diff "$work/package/Balanced_flow/package_info/Balanced_flow/dependencies" "$work/dependencies" ||
+diff "$work/package/Point_set_flow/package_info/Point_set_flow/dependencies" "$work/dependencies" ||
   { echo "cmake/cgal_package/dependencies.txt has to be as the right side says" >&2; exit 1; }
 
 cgal_dir=$(dirname "$(find "$work/cgal/usr/lib" -name CGALConfig.cmake)")
 for kind in examples test; do
-  cmake -S "$work/package/Balanced_flow/$kind/Balanced_flow" -B "$work/build/$kind" -D CGAL_DIR="$cgal_dir" \
+  cmake -S "$work/package/Point_set_flow/$kind/Point_set_flow" -B "$work/build/$kind" -D CGAL_DIR="$cgal_dir" \
     -D CMAKE_BUILD_TYPE=Release -D CMAKE_CXX_FLAGS_RELEASE=-O1 -D CGAL_DATA_DIR="${CGAL_DATA_DIR:-}" \
     -D CMAKE_CXX_COMPILER="${CXX:-c++}" -D CGAL_DO_NOT_WARN_ABOUT_CMAKE_BUILD_TYPE=ON
 done
-for source in "$work"/package/Balanced_flow/*/Balanced_flow/*.cpp; do
+for source in "$work"/package/Point_set_flow/*/Point_set_flow/*.cpp; do
   name=$(basename "$source" .cpp)
   kind=$(basename "$(dirname "$(dirname "$source")")")
   case " ${*:-$name} " in *" $name "*) ;; *) continue ;; esac

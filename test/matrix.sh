@@ -62,7 +62,7 @@ refuses() { # message, command ...: whether the command fails with the message
 }
 
 compiles_alone() { # include
-  for header in include/CGAL/*.h include/CGAL/Balanced_flow/*.h; do
+  for header in include/CGAL/*.h include/CGAL/Point_set_flow/*.h; do
     # shellcheck disable=SC2086
     g++ -fsyntax-only $common $warnings $1 -x c++ -include "$header" /dev/null || return
   done

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#ifndef CGAL_BALANCED_FLOW_TEST_RANDOM_CLOUDS_H
-#define CGAL_BALANCED_FLOW_TEST_RANDOM_CLOUDS_H
+#ifndef CGAL_POINT_SET_FLOW_TEST_RANDOM_CLOUDS_H
+#define CGAL_POINT_SET_FLOW_TEST_RANDOM_CLOUDS_H
 
 #include <CGAL/Simple_cartesian.h>
 
@@ -137,4 +137,4 @@ private:
 
 } // namespace random_clouds
 
-#endif // CGAL_BALANCED_FLOW_TEST_RANDOM_CLOUDS_H
+#endif // CGAL_POINT_SET_FLOW_TEST_RANDOM_CLOUDS_H

@@ -11,7 +11,7 @@ tests=${TESTS:-core_tests} # only some of them: TESTS="test_errors test_robustne
 
 build_and_test() { # name, flags
   cmake -S . -B "build/$1" -D CMAKE_BUILD_TYPE=Debug -D CMAKE_CXX_FLAGS_DEBUG="-O1 -g1 -D_GLIBCXX_ASSERTIONS $2" \
-    -D CMAKE_CXX_COMPILER=g++ -D BALANCED_FLOW_BUILD_EXAMPLES=OFF
+    -D CMAKE_CXX_COMPILER=g++ -D POINT_SET_FLOW_BUILD_EXAMPLES=OFF
   # shellcheck disable=SC2086
   cmake --build "build/$1" --parallel 2 --target $tests
   ctest --test-dir "build/$1" --output-on-failure -L core -R "$(echo "$tests" | sed 's/core_tests/./; s/ /|/g')"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#ifndef CGAL_BALANCED_FLOW_TEST_SHAPES_H
-#define CGAL_BALANCED_FLOW_TEST_SHAPES_H
+#ifndef CGAL_POINT_SET_FLOW_TEST_SHAPES_H
+#define CGAL_POINT_SET_FLOW_TEST_SHAPES_H
 
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/number_type_config.h>
@@ -31,7 +31,7 @@ inline Points sphere(std::size_t n, double radius)
   return points;
 }
 
-/// n points spread evenly over a disc of radius 1 in the plane z = 0 (sunflower), the centre first
+/// n points spread evenly over a disc of radius 1 in the plane z = 0 (sunflower), the center first
 inline Points disc(std::size_t n)
 {
   Points points;
@@ -125,4 +125,4 @@ inline double mean_radius(const Points& points)
 
 } // namespace shapes
 
-#endif // CGAL_BALANCED_FLOW_TEST_SHAPES_H
+#endif // CGAL_POINT_SET_FLOW_TEST_SHAPES_H

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#ifndef CGAL_BALANCED_FLOW_TEST_SMOOTHED_H
-#define CGAL_BALANCED_FLOW_TEST_SMOOTHED_H
+#ifndef CGAL_POINT_SET_FLOW_TEST_SMOOTHED_H
+#define CGAL_POINT_SET_FLOW_TEST_SMOOTHED_H
 
 #include "shapes.h"
 
@@ -13,4 +13,4 @@ inline shapes::Points smoothed(shapes::Points points)
   return points;
 }
 
-#endif // CGAL_BALANCED_FLOW_TEST_SMOOTHED_H
+#endif // CGAL_POINT_SET_FLOW_TEST_SMOOTHED_H

@@ -15,9 +15,9 @@ typedef CGAL::Sequential_tag Sequential;
 
 // ---- coordinates far from 0
 
-BOOST_AUTO_TEST_CASE(georeferenced_points_keep_their_millimetres)
+BOOST_AUTO_TEST_CASE(georeferenced_points_keep_their_millimeters)
 {
-  // metres; the noise is 2 cm
+  // meters; the noise is 2 cm
   const Points noisy = noisy_cube(), expected = smoothed(noisy);
   const shapes::Vector_3 offset(4.5e5, 5.4e6, 100.);
   Points points;
@@ -30,7 +30,7 @@ BOOST_AUTO_TEST_CASE(georeferenced_points_keep_their_millimetres)
 
 BOOST_AUTO_TEST_CASE(georeferenced_floats_move_no_farther_than_their_neighbors)
 {
-  // what is left of the coordinates are half metres, and many points are duplicates
+  // what is left of the coordinates are half meters, and many points are duplicates
   typedef CGAL::Simple_cartesian<float>::Point_3 Float_point;
   std::vector<Float_point> noisy;
   for (const auto& p : noisy_cube(20))

@@ -5,7 +5,7 @@
 
 #include "shapes.h"
 
-#include <CGAL/Balanced_flow/estimate_point_set_scale.h>
+#include <CGAL/Point_set_flow/estimate_point_set_scale.h>
 #include <CGAL/Point_set_3.h>
 #include <CGAL/balanced_flow_smooth_point_set.h>
 

@@ -6,8 +6,8 @@
 #include "shapes.h"
 
 #include <CGAL/Aff_transformation_3.h>
-#include <CGAL/Balanced_flow/Diffusivity.h>
-#include <CGAL/Balanced_flow/internal/Point_buffer.h>
+#include <CGAL/Point_set_flow/Diffusivity.h>
+#include <CGAL/Point_set_flow/internal/order/Point_buffer.h>
 #include <CGAL/balanced_flow_smooth_point_set.h>
 #include <CGAL/jet_smooth_point_set.h>
 
@@ -23,7 +23,7 @@ namespace {
 const CGAL::Sequential_tag sequential{};
 const std::function<bool(double)> no_callback;
 
-/// All points as one neighbourhood of the first of them
+/// All points as one neighborhood of the first of them
 struct All_of {
   const Points& points;
   std::vector<std::uint32_t> others;

@@ -233,7 +233,7 @@ namespace {
 struct Wind {
   Vector_3 operator()(const Flow_point_3&, const Diffusivity&) const { return Vector_3(0, 0, 1); }
 };
-/// An estimator of a user: the mean of the neighbours as the place to go, as Laplacian smoothing
+/// An estimator of a user: the mean of the neighbors as the place to go, as Laplacian smoothing
 struct Umbrella {
   Curvature_3 operator()(const Neighborhood_3& neighborhood) const
   {

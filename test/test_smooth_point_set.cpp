@@ -225,7 +225,7 @@ BOOST_AUTO_TEST_CASE(neighbor_radius_limits_the_nearest_k)
   BOOST_TEST((run(0.) == smoothed(noisy)));
   BOOST_TEST((run(100.) == smoothed(noisy))); // never reached
   BOOST_TEST((run(.2) != smoothed(noisy)));
-  BOOST_TEST((run(1e-6) == noisy)); // nobody has a neighbour
+  BOOST_TEST((run(1e-6) == noisy)); // nobody has a neighbor
 
   // a far point must not reach for the others
   Points far = noisy;

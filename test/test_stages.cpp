@@ -5,12 +5,12 @@
 
 #include "shapes.h"
 
-#include <CGAL/Balanced_flow/Covariance_curvature.h>
-#include <CGAL/Balanced_flow/Diffusivity.h>
-#include <CGAL/Balanced_flow/estimate_point_set_scale.h>
-#include <CGAL/Balanced_flow/internal/Neighbor_graph.h>
-#include <CGAL/Balanced_flow/internal/Point_buffer.h>
-#include <CGAL/Balanced_flow/internal/prefilter.h>
+#include <CGAL/Point_set_flow/Covariance_curvature.h>
+#include <CGAL/Point_set_flow/Diffusivity.h>
+#include <CGAL/Point_set_flow/estimate_point_set_scale.h>
+#include <CGAL/Point_set_flow/internal/neighbors/Neighbor_graph.h>
+#include <CGAL/Point_set_flow/internal/order/Point_buffer.h>
+#include <CGAL/Point_set_flow/internal/fitting/prefilter.h>
 #include <CGAL/Orthogonal_k_neighbor_search.h>
 #include <CGAL/estimate_point_set_noise.h>
 

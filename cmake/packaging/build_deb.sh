@@ -7,18 +7,18 @@ cd "$(dirname "$0")/../.."
 sh cmake/install_packages.sh build-essential debhelper fakeroot lintian cmake pkgconf libcgal-dev libeigen3-dev \
   libtbb-dev libboost-dev libboost-program-options-dev libboost-test-dev nlohmann-json3-dev
 
-version=$(sed -n 's/^project(BalancedFlow VERSION \([0-9.]*\).*/\1/p' CMakeLists.txt)
+version=$(sed -n 's/^project(PointSetFlow VERSION \([0-9.]*\).*/\1/p' CMakeLists.txt)
 rm -rf build/debian
-mkdir -p "build/debian/balanced-flow-$version"
+mkdir -p "build/debian/point-set-flow-$version"
 # What git knows, as it is now; all there is where this is not a clone but an unpacked archive
 files=$(git ls-files 2>/dev/null || true)
 [ -n "$files" ] || files="include test examples doc cmake CMakeLists.txt LICENSE README.md"
 # shellcheck disable=SC2086
-tar -cf - $files | tar -xf - -C "build/debian/balanced-flow-$version"
+tar -cf - $files | tar -xf - -C "build/debian/point-set-flow-$version"
 
 cd build/debian
-tar -czf "balanced-flow_$version.orig.tar.gz" "balanced-flow-$version"
-cd "balanced-flow-$version"
+tar -czf "point-set-flow_$version.orig.tar.gz" "point-set-flow-$version"
+cd "point-set-flow-$version"
 cp -R cmake/packaging/debian debian
 DEB_BUILD_OPTIONS=${DEB_BUILD_OPTIONS-nocheck} dpkg-buildpackage -us -uc
 cd ..
@@ -29,7 +29,7 @@ apt-get install --simulate ./*.deb >/dev/null
 for package in ./*.deb; do
   dpkg -x "$package" root
 done
-cd "balanced-flow-$version"
+cd "point-set-flow-$version"
 AUTOPKGTEST_TMP=$PWD/../test sh debian/tests/consumer "$PWD/../root"
 cd ..
 ls -l ./*.deb

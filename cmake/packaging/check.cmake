@@ -6,13 +6,13 @@ set(packaging ${SOURCE_TREE}/cmake/packaging)
 
 # One version everywhere; the Conan recipe reads it from CMakeLists.txt
 file(READ ${SOURCE_TREE}/CMakeLists.txt text)
-string(REGEX MATCH "project\\(BalancedFlow VERSION ([0-9.]+)" match "${text}")
+string(REGEX MATCH "project\\(PointSetFlow VERSION ([0-9.]+)" match "${text}")
 set(version ${CMAKE_MATCH_1})
-set(port ${packaging}/vcpkg/balanced-flow)
+set(port ${packaging}/vcpkg/point-set-flow)
 file(READ ${port}/vcpkg.json manifest)
 string(JSON port_version GET "${manifest}" version)
 file(STRINGS ${packaging}/debian/changelog debian_version LIMIT_COUNT 1)
-if(NOT port_version STREQUAL version OR NOT debian_version MATCHES "^balanced-flow \\(${version}-")
+if(NOT port_version STREQUAL version OR NOT debian_version MATCHES "^point-set-flow \\(${version}-")
   message(FATAL_ERROR "Version ${version}, but vcpkg.json has ${port_version} and debian/changelog ${debian_version}")
 endif()
 
@@ -73,13 +73,13 @@ function(vcpkg_install_copyright)
 endfunction()
 
 file(REMOVE_RECURSE ${WORK_DIR})
-set(PORT balanced-flow)
+set(PORT point-set-flow)
 set(FEATURES core tbb)
 set(CURRENT_PORT_DIR ${port})
 set(CURRENT_PACKAGES_DIR ${WORK_DIR}/prefix)
 include(${port}/portfile.cmake)
-foreach(file IN ITEMS include/CGAL/balanced_flow_smooth_point_set.h share/pkgconfig/balanced-flow.pc
-                      share/balanced-flow/usage share/balanced-flow/LICENSE)
+foreach(file IN ITEMS include/CGAL/balanced_flow_smooth_point_set.h share/pkgconfig/point-set-flow.pc
+                      share/point-set-flow/usage share/point-set-flow/LICENSE)
   if(NOT EXISTS ${WORK_DIR}/prefix/${file})
     message(FATAL_ERROR "The port does not install ${file}")
   endif()

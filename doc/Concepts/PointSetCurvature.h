@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /*!
-\ingroup PkgBalancedFlowConcepts
+\ingroup PkgPointSetFlowConcepts
 \cgalConcept
 
 The concept `PointSetCurvature` describes an estimator of the normal and the curvature of a surface

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /*!
-\ingroup PkgBalancedFlowConcepts
+\ingroup PkgPointSetFlowConcepts
 \cgalConcept
 
 The concept `PointSetFlow` describes the right hand side \f$\partial u / \partial t\f$ of an

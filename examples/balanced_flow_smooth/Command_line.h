@@ -5,8 +5,8 @@
 #include "Manual.h"
 #include "Settings.h"
 
-#include <CGAL/Balanced_flow/Covariance_curvature.h>
-#include <CGAL/Balanced_flow/Tangent_plane_curvature.h>
+#include <CGAL/Point_set_flow/Covariance_curvature.h>
+#include <CGAL/Point_set_flow/Tangent_plane_curvature.h>
 
 #include <boost/program_options.hpp>
 

@@ -111,7 +111,7 @@ inline void print_json(std::ostream& out, const std::vector<File_report>& report
 {
   nlohmann::ordered_json json;
   json["program"] = program_name;
-  json["version"] = BALANCED_FLOW_VERSION;
+  json["version"] = POINT_SET_FLOW_VERSION;
   json["dry_run"] = settings.dry_run;
   json["files"] = nlohmann::ordered_json::array();
   for (const File_report& report : reports)

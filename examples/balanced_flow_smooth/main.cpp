@@ -145,7 +145,7 @@ int main(int argc, char** argv)
       if (command_line.has("help"))
         print_help(std::cout, command_line);
       else if (command_line.has("version"))
-        std::cout << program_name << ' ' << BALANCED_FLOW_VERSION << std::endl;
+        std::cout << program_name << ' ' << POINT_SET_FLOW_VERSION << std::endl;
       else if (command_line.has("print-man"))
         print_manual_page(std::cout, command_line, command_line.text("print-man"));
       else

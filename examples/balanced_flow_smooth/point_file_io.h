@@ -8,7 +8,7 @@
 #include "convert.h"
 #include "read_ply.h"
 #include "read_text.h"
-#ifdef BALANCED_FLOW_WITH_PDAL
+#ifdef POINT_SET_FLOW_WITH_PDAL
 #include "Las_file.h"
 #endif
 
@@ -23,7 +23,7 @@
 
 inline void check_support([[maybe_unused]] Format format)
 {
-#ifndef BALANCED_FLOW_WITH_PDAL
+#ifndef POINT_SET_FLOW_WITH_PDAL
   if (is_las(format))
     throw std::runtime_error("this program was built without LAS support (PDAL)");
 #endif
@@ -72,7 +72,7 @@ inline std::unique_ptr<Point_file> read_point_bytes(std::string bytes,
     return std::make_unique<Raw_file>(read_ply(std::move(bytes)));
   case Format::OFF:
     return std::make_unique<Raw_file>(read_off(std::move(bytes)));
-#ifdef BALANCED_FLOW_WITH_PDAL
+#ifdef POINT_SET_FLOW_WITH_PDAL
   case Format::LAS:
   case Format::LAZ:
     return Las_file::of_bytes(bytes, with_normals);
@@ -95,7 +95,7 @@ inline std::unique_ptr<Point_file> read_point_file(const std::filesystem::path& 
       format = format_of(path);
     if (format)
       check_support(*format);
-#ifdef BALANCED_FLOW_WITH_PDAL
+#ifdef POINT_SET_FLOW_WITH_PDAL
     if (!from_stream && is_las(*format))
       return std::make_unique<Las_file>(path, with_normals);
 #endif
@@ -160,7 +160,7 @@ inline void write_as(const Point_file& file, Format from, const Target& target)
     write_as_xyz(target.out, file);
   else if (target.format == Format::OFF)
     write_as_off(target.out, file);
-#ifdef BALANCED_FLOW_WITH_PDAL
+#ifdef POINT_SET_FLOW_WITH_PDAL
   else
     write_as_las(target, file);
 #endif

@@ -106,7 +106,7 @@ inline void print_manual_page(std::ostream& out, const Command_line& command_lin
   const std::string name = to_roff(program_name);
   out << ".\\\" SPDX-License-Identifier: GPL-3.0-or-later\n"
       << ".TH BALANCED\\-FLOW\\-SMOOTH 1 \"" << date << "\" \"" << name << ' '
-      << BALANCED_FLOW_VERSION << "\" \"User Commands\"\n"
+      << POINT_SET_FLOW_VERSION << "\" \"User Commands\"\n"
       << ".SH NAME\n"
       << name << " \\- " << to_roff(manual::summary) << "\n.SH SYNOPSIS\n";
   const char* between = "";

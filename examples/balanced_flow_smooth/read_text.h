@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-/// Whether columns 4 to 6 are a unit vector; colours and labels are none.
+/// Whether columns 4 to 6 are a unit vector; colors and labels are none.
 inline bool has_unit_vector(const Line_reader& lines, const std::vector<Field>& words)
 {
   double n[3];
@@ -68,7 +68,7 @@ inline Anatomy read_xyz(std::string bytes)
   return file;
 }
 
-/// "OFF", with ST, C and N before it for texture coordinates, colours and normals; the numbers of
+/// "OFF", with ST, C and N before it for texture coordinates, colors and normals; the numbers of
 /// points, faces and edges; the points; the faces.
 inline Anatomy read_off(std::string bytes)
 {

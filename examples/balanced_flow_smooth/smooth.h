@@ -5,7 +5,7 @@
 #include "Point_file.h"
 #include "Settings.h"
 
-#include <CGAL/Balanced_flow/Covariance_curvature.h>
+#include <CGAL/Point_set_flow/Covariance_curvature.h>
 #include <CGAL/Iterator_range.h>
 #include <CGAL/balanced_flow_smooth_point_set.h>
 #include <CGAL/property_map.h>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#ifndef BALANCED_FLOW_COMPARISON_DRAWN_CLOUD_H
-#define BALANCED_FLOW_COMPARISON_DRAWN_CLOUD_H
+#ifndef POINT_SET_FLOW_COMPARISON_DRAWN_CLOUD_H
+#define POINT_SET_FLOW_COMPARISON_DRAWN_CLOUD_H
 
 #include "Nearest_points.h"
 #include "Smoothers.h"
@@ -89,4 +89,4 @@ inline Drawn_cloud make_drawn_cloud(const Points& points, const std::vector<doub
   return cloud;
 }
 
-#endif // BALANCED_FLOW_COMPARISON_DRAWN_CLOUD_H
+#endif // POINT_SET_FLOW_COMPARISON_DRAWN_CLOUD_H

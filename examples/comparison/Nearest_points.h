@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#ifndef BALANCED_FLOW_COMPARISON_NEAREST_POINTS_H
-#define BALANCED_FLOW_COMPARISON_NEAREST_POINTS_H
+#ifndef POINT_SET_FLOW_COMPARISON_NEAREST_POINTS_H
+#define POINT_SET_FLOW_COMPARISON_NEAREST_POINTS_H
 
 #include "Surface.h"
 
@@ -21,4 +21,4 @@ public:
   std::pair<std::size_t, double> operator()(const Point_3& p) const;
 };
 
-#endif // BALANCED_FLOW_COMPARISON_NEAREST_POINTS_H
+#endif // POINT_SET_FLOW_COMPARISON_NEAREST_POINTS_H

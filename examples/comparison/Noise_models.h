@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#ifndef BALANCED_FLOW_COMPARISON_NOISE_MODELS_H
-#define BALANCED_FLOW_COMPARISON_NOISE_MODELS_H
+#ifndef POINT_SET_FLOW_COMPARISON_NOISE_MODELS_H
+#define POINT_SET_FLOW_COMPARISON_NOISE_MODELS_H
 
 #include "Surface.h"
 
@@ -69,4 +69,4 @@ inline Noisy_points add_noise(const Points& clean, const std::string& model, dou
 /// The relative density of samples that vary tenfold over the shape
 inline double tenfold_density(const Point_3& p) { return std::pow(10., -.5 * (1. + p.y())); }
 
-#endif // BALANCED_FLOW_COMPARISON_NOISE_MODELS_H
+#endif // POINT_SET_FLOW_COMPARISON_NOISE_MODELS_H

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#ifndef BALANCED_FLOW_COMPARISON_NUMBERED_POINTS_H
-#define BALANCED_FLOW_COMPARISON_NUMBERED_POINTS_H
+#ifndef POINT_SET_FLOW_COMPARISON_NUMBERED_POINTS_H
+#define POINT_SET_FLOW_COMPARISON_NUMBERED_POINTS_H
 
 #include "Surface.h"
 
@@ -34,4 +34,4 @@ inline Vectors normals_in_order(const Numbered_points& points)
   return normals;
 }
 
-#endif // BALANCED_FLOW_COMPARISON_NUMBERED_POINTS_H
+#endif // POINT_SET_FLOW_COMPARISON_NUMBERED_POINTS_H

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#ifndef BALANCED_FLOW_COMPARISON_POINT_SURFACE_H
-#define BALANCED_FLOW_COMPARISON_POINT_SURFACE_H
+#ifndef POINT_SET_FLOW_COMPARISON_POINT_SURFACE_H
+#define POINT_SET_FLOW_COMPARISON_POINT_SURFACE_H
 
 #include "Nearest_points.h"
 #include "Numbered_points.h"
@@ -29,4 +29,4 @@ public:
   const Vectors& normals() const { return m_normals; }
 };
 
-#endif // BALANCED_FLOW_COMPARISON_POINT_SURFACE_H
+#endif // POINT_SET_FLOW_COMPARISON_POINT_SURFACE_H

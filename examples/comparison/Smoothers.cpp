@@ -67,7 +67,7 @@ template Smoothed paper_flow(const Points&, const flows::Well_posed_anisotropic_
 template Smoothed paper_flow(const Points&, const flows::Volume_preserving_flow&);
 template Smoothed paper_flow(const Points&, const flows::Balanced_flow&);
 
-Smoothed balanced_flow(const Points& noisy)
+Smoothed point_set_flow(const Points& noisy)
 {
   Smoothed result{noisy, Vectors(noisy.size(), CGAL::NULL_VECTOR)};
   std::vector<std::size_t> indices = numbers(noisy.size());
@@ -77,7 +77,7 @@ Smoothed balanced_flow(const Points& noisy)
   return result;
 }
 
-Smoothed balanced_flow(const Points& noisy, unsigned int k)
+Smoothed point_set_flow(const Points& noisy, unsigned int k)
 {
   Smoothed result{noisy, {}};
   CGAL::balanced_flow_smooth_point_set<Concurrency_tag>(result.points, k);

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#ifndef BALANCED_FLOW_COMPARISON_SMOOTHERS_H
-#define BALANCED_FLOW_COMPARISON_SMOOTHERS_H
+#ifndef POINT_SET_FLOW_COMPARISON_SMOOTHERS_H
+#define POINT_SET_FLOW_COMPARISON_SMOOTHERS_H
 
 #include "Numbered_points.h"
 
-#include <CGAL/Balanced_flow/flows.h>
+#include <CGAL/Point_set_flow/flows.h>
 
 #include <algorithm>
 #include <cmath>
@@ -45,9 +45,9 @@ template <typename Flow>
 Smoothed paper_flow(const Points& noisy, const Flow& flow);
 
 /// This package with its defaults.
-Smoothed balanced_flow(const Points& noisy);
+Smoothed point_set_flow(const Points& noisy);
 
 /// This package with a neighborhood size.
-Smoothed balanced_flow(const Points& noisy, unsigned int k);
+Smoothed point_set_flow(const Points& noisy, unsigned int k);
 
-#endif // BALANCED_FLOW_COMPARISON_SMOOTHERS_H
+#endif // POINT_SET_FLOW_COMPARISON_SMOOTHERS_H

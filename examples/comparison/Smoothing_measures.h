@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#ifndef BALANCED_FLOW_COMPARISON_SMOOTHING_MEASURES_H
-#define BALANCED_FLOW_COMPARISON_SMOOTHING_MEASURES_H
+#ifndef POINT_SET_FLOW_COMPARISON_SMOOTHING_MEASURES_H
+#define POINT_SET_FLOW_COMPARISON_SMOOTHING_MEASURES_H
 
 #include "Nearest_points.h"
 #include "Numbered_points.h"
@@ -141,4 +141,4 @@ inline double roughness(const Points& points)
   return sum.rms();
 }
 
-#endif // BALANCED_FLOW_COMPARISON_SMOOTHING_MEASURES_H
+#endif // POINT_SET_FLOW_COMPARISON_SMOOTHING_MEASURES_H

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#ifndef BALANCED_FLOW_COMPARISON_SURFACE_H
-#define BALANCED_FLOW_COMPARISON_SURFACE_H
+#ifndef POINT_SET_FLOW_COMPARISON_SURFACE_H
+#define POINT_SET_FLOW_COMPARISON_SURFACE_H
 
 #include <CGAL/Simple_cartesian.h>
 
@@ -48,4 +48,4 @@ inline void find_samples_near_edges(Samples& samples, const Surface& surface, do
     samples.near_edge.push_back(surface.distance_to_sharp_edge(p) <= distance);
 }
 
-#endif // BALANCED_FLOW_COMPARISON_SURFACE_H
+#endif // POINT_SET_FLOW_COMPARISON_SURFACE_H

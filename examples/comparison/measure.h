@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#ifndef BALANCED_FLOW_COMPARISON_MEASURE_H
-#define BALANCED_FLOW_COMPARISON_MEASURE_H
+#ifndef POINT_SET_FLOW_COMPARISON_MEASURE_H
+#define POINT_SET_FLOW_COMPARISON_MEASURE_H
 
 #include "Result_table.h"
 #include "Smoothers.h"
@@ -61,4 +61,4 @@ inline Result_table::Named_numbers measure(const Noisy_data& data, const Smoothe
           {"MB", megabytes}};
 }
 
-#endif // BALANCED_FLOW_COMPARISON_MEASURE_H
+#endif // POINT_SET_FLOW_COMPARISON_MEASURE_H

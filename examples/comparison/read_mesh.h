@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#ifndef BALANCED_FLOW_COMPARISON_READ_MESH_H
-#define BALANCED_FLOW_COMPARISON_READ_MESH_H
+#ifndef POINT_SET_FLOW_COMPARISON_READ_MESH_H
+#define POINT_SET_FLOW_COMPARISON_READ_MESH_H
 
 #include "Mesh_surface.h"
 
@@ -49,4 +49,4 @@ std::optional<Mesh> make_mesh(Points points, Polygons polygons);
 /// Reads a mesh; empty if the file has none, or one that can not be mended.
 std::optional<Mesh> read_mesh(const std::string& file, Unit_sphere_map& to_unit_sphere);
 
-#endif // BALANCED_FLOW_COMPARISON_READ_MESH_H
+#endif // POINT_SET_FLOW_COMPARISON_READ_MESH_H

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#ifndef BALANCED_FLOW_COMPARISON_RUN_IN_CHILD_H
-#define BALANCED_FLOW_COMPARISON_RUN_IN_CHILD_H
+#ifndef POINT_SET_FLOW_COMPARISON_RUN_IN_CHILD_H
+#define POINT_SET_FLOW_COMPARISON_RUN_IN_CHILD_H
 
 #include "Smoothers.h"
 
@@ -12,7 +12,7 @@
 #include <optional>
 
 #if defined(__unix__) || defined(__APPLE__)
-#define BALANCED_FLOW_HAS_FORK
+#define POINT_SET_FLOW_HAS_FORK
 #include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -37,7 +37,7 @@ inline Run run_here(const std::function<Smoothed()>& smooth)
   return run;
 }
 
-#ifdef BALANCED_FLOW_HAS_FORK
+#ifdef POINT_SET_FLOW_HAS_FORK
 
 namespace child {
 
@@ -169,4 +169,4 @@ inline std::optional<Run> run_in_child(
 
 #endif
 
-#endif // BALANCED_FLOW_COMPARISON_RUN_IN_CHILD_H
+#endif // POINT_SET_FLOW_COMPARISON_RUN_IN_CHILD_H

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#ifndef BALANCED_FLOW_COMPARISON_SAMPLE_MESH_H
-#define BALANCED_FLOW_COMPARISON_SAMPLE_MESH_H
+#ifndef POINT_SET_FLOW_COMPARISON_SAMPLE_MESH_H
+#define POINT_SET_FLOW_COMPARISON_SAMPLE_MESH_H
 
 #include "Mesh_surface.h"
 
@@ -124,4 +124,4 @@ inline Samples sample_mesh(const Mesh_surface& surface, std::size_t n, unsigned 
   return samples;
 }
 
-#endif // BALANCED_FLOW_COMPARISON_SAMPLE_MESH_H
+#endif // POINT_SET_FLOW_COMPARISON_SAMPLE_MESH_H

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#ifndef BALANCED_FLOW_COMPARISON_WRITE_ERRORS_H
-#define BALANCED_FLOW_COMPARISON_WRITE_ERRORS_H
+#ifndef POINT_SET_FLOW_COMPARISON_WRITE_ERRORS_H
+#define POINT_SET_FLOW_COMPARISON_WRITE_ERRORS_H
 
 #include "Surface.h"
 
@@ -36,4 +36,4 @@ inline bool write_errors(const std::string& file, const Points& points,
   return bool(out.flush());
 }
 
-#endif // BALANCED_FLOW_COMPARISON_WRITE_ERRORS_H
+#endif // POINT_SET_FLOW_COMPARISON_WRITE_ERRORS_H

@@ -2,7 +2,7 @@
 #ifndef CGAL_BALANCED_FLOW_SMOOTH_POINT_SET_H
 #define CGAL_BALANCED_FLOW_SMOOTH_POINT_SET_H
 
-#include <CGAL/Balanced_flow/internal/smooth_point_set.h>
+#include <CGAL/Point_set_flow/internal/smooth_point_set.h>
 
 #include <optional>
 #include <type_traits>
@@ -10,7 +10,7 @@
 namespace CGAL {
 
 /**
-   \ingroup PkgBalancedFlowFunctions
+   \ingroup PkgPointSetFlowFunctions
 
    smooths a point set by the *dynamic balanced flow* of Xiao, Miao, Liu and Peng
    \cgalCite{xmlp-dbffpsg}. It is given by equation (9), table 1 and section 3.2 of the paper.
@@ -224,7 +224,7 @@ double balanced_flow_smooth_point_set(PointRange& points, unsigned int k,
 }
 
 /**
-   \ingroup PkgBalancedFlowFunctions
+   \ingroup PkgPointSetFlowFunctions
 
    smooths a point set as above, with numbers of neighbors that are chosen from the data: from the
    spacing and from the noise around each point, and fewer where two sheets of the surface are close

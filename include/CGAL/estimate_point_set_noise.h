@@ -2,12 +2,12 @@
 #ifndef CGAL_ESTIMATE_POINT_SET_NOISE_H
 #define CGAL_ESTIMATE_POINT_SET_NOISE_H
 
-#include <CGAL/Balanced_flow/estimate_point_set_scale.h>
+#include <CGAL/Point_set_flow/estimate_point_set_scale.h>
 
 namespace CGAL {
 
 /**
-   \ingroup PkgBalancedFlowFunctions
+   \ingroup PkgPointSetFlowFunctions
 
    estimates the standard deviation of the noise of a point set: of the distances of the points to
    the surface that they were measured on.

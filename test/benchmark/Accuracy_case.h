@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#ifndef BALANCED_FLOW_BENCHMARK_ACCURACY_CASE_H
-#define BALANCED_FLOW_BENCHMARK_ACCURACY_CASE_H
+#ifndef POINT_SET_FLOW_BENCHMARK_ACCURACY_CASE_H
+#define POINT_SET_FLOW_BENCHMARK_ACCURACY_CASE_H
 
 #include "Peers.h"
 
@@ -123,7 +123,7 @@ inline Outcome run_case(const Accuracy_case& what, const Surface& surface, const
   outcome.thin_share = what.group == "thin" ? share_of_thin(clean, 2. * sigma) : 0.;
 
   std::vector<Peer> methods = run_peers(noisy.points);
-  add_peer(methods, "ours", "defaults", [&]() { return balanced_flow(noisy.points); });
+  add_peer(methods, "ours", "defaults", [&]() { return point_set_flow(noisy.points); });
   std::map<std::string, const Smoothed*> best_smoothed;
   for (const char* family : {"jet", "bilateral", "APSS", "ours"})
     outcome.best[family] = Score();
@@ -158,4 +158,4 @@ inline Outcome run_case(const Accuracy_case& what, const Surface& surface, const
   return outcome;
 }
 
-#endif // BALANCED_FLOW_BENCHMARK_ACCURACY_CASE_H
+#endif // POINT_SET_FLOW_BENCHMARK_ACCURACY_CASE_H

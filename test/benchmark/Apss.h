@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#ifndef BALANCED_FLOW_BENCHMARK_APSS_H
-#define BALANCED_FLOW_BENCHMARK_APSS_H
+#ifndef POINT_SET_FLOW_BENCHMARK_APSS_H
+#define POINT_SET_FLOW_BENCHMARK_APSS_H
 
 #include "comparison/Nearest_points.h"
 #include "comparison/Smoothers.h"
@@ -97,4 +97,4 @@ inline Smoothed apss(const Points& noisy, const Vectors& normals, unsigned int k
   return result;
 }
 
-#endif // BALANCED_FLOW_BENCHMARK_APSS_H
+#endif // POINT_SET_FLOW_BENCHMARK_APSS_H

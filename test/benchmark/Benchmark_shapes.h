@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#ifndef BALANCED_FLOW_BENCHMARK_BENCHMARK_SHAPES_H
-#define BALANCED_FLOW_BENCHMARK_BENCHMARK_SHAPES_H
+#ifndef POINT_SET_FLOW_BENCHMARK_BENCHMARK_SHAPES_H
+#define POINT_SET_FLOW_BENCHMARK_BENCHMARK_SHAPES_H
 
 #include "comparison/read_mesh.h"
 
@@ -99,4 +99,4 @@ inline std::unique_ptr<Mesh_surface> load_shape(const std::string& name, std::si
   return mesh ? std::make_unique<Mesh_surface>(std::move(*mesh)) : nullptr;
 }
 
-#endif // BALANCED_FLOW_BENCHMARK_BENCHMARK_SHAPES_H
+#endif // POINT_SET_FLOW_BENCHMARK_BENCHMARK_SHAPES_H

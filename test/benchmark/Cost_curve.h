@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#ifndef BALANCED_FLOW_BENCHMARK_COST_CURVE_H
-#define BALANCED_FLOW_BENCHMARK_COST_CURVE_H
+#ifndef POINT_SET_FLOW_BENCHMARK_COST_CURVE_H
+#define POINT_SET_FLOW_BENCHMARK_COST_CURVE_H
 
 #include "Targets.h"
 
 #include "comparison/Smoothing_measures.h"
 
-#include <CGAL/Balanced_flow/estimate_point_set_scale.h>
+#include <CGAL/Point_set_flow/estimate_point_set_scale.h>
 #include <CGAL/Real_timer.h>
 #include <CGAL/balanced_flow_smooth_point_set.h>
 #include <CGAL/jet_smooth_point_set.h>
@@ -86,4 +86,4 @@ public:
   }
 };
 
-#endif // BALANCED_FLOW_BENCHMARK_COST_CURVE_H
+#endif // POINT_SET_FLOW_BENCHMARK_COST_CURVE_H

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#ifndef BALANCED_FLOW_BENCHMARK_PEERS_H
-#define BALANCED_FLOW_BENCHMARK_PEERS_H
+#ifndef POINT_SET_FLOW_BENCHMARK_PEERS_H
+#define POINT_SET_FLOW_BENCHMARK_PEERS_H
 
 #include "Apss.h"
 
@@ -52,4 +52,4 @@ inline std::vector<Peer> run_peers(const Points& noisy)
   return peers;
 }
 
-#endif // BALANCED_FLOW_BENCHMARK_PEERS_H
+#endif // POINT_SET_FLOW_BENCHMARK_PEERS_H

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#ifndef BALANCED_FLOW_BENCHMARK_SPEED_CLOUDS_H
-#define BALANCED_FLOW_BENCHMARK_SPEED_CLOUDS_H
+#ifndef POINT_SET_FLOW_BENCHMARK_SPEED_CLOUDS_H
+#define POINT_SET_FLOW_BENCHMARK_SPEED_CLOUDS_H
 
 #include "comparison/Surface.h"
 
@@ -82,4 +82,4 @@ inline void put_in_order(Points& points, const std::string& order)
     CGAL::hilbert_sort(points.begin(), points.end());
 }
 
-#endif // BALANCED_FLOW_BENCHMARK_SPEED_CLOUDS_H
+#endif // POINT_SET_FLOW_BENCHMARK_SPEED_CLOUDS_H

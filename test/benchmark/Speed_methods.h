@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#ifndef BALANCED_FLOW_BENCHMARK_SPEED_METHODS_H
-#define BALANCED_FLOW_BENCHMARK_SPEED_METHODS_H
+#ifndef POINT_SET_FLOW_BENCHMARK_SPEED_METHODS_H
+#define POINT_SET_FLOW_BENCHMARK_SPEED_METHODS_H
 
 #include "comparison/Numbered_points.h"
 
@@ -10,7 +10,7 @@
 #include <CGAL/for_each.h>
 #include <CGAL/jet_smooth_point_set.h>
 
-#ifdef BALANCED_FLOW_HAS_NANOFLANN
+#ifdef POINT_SET_FLOW_HAS_NANOFLANN
 #include <nanoflann.hpp>
 #endif
 
@@ -92,7 +92,7 @@ void find_neighbors(Points& points)
   const Neighbor_graph graph(Concurrency_tag(), tree, graph_size, 0., progress, 1.);
 }
 
-#ifdef BALANCED_FLOW_HAS_NANOFLANN
+#ifdef POINT_SET_FLOW_HAS_NANOFLANN
 struct Nanoflann_points {
   const Points& points;
   std::size_t kdtree_get_point_count() const { return points.size(); }
@@ -140,11 +140,11 @@ std::map<std::string, Speed_method> speed_methods()
       {"ours", smooth_by_balanced_flow<Concurrency_tag>},
       {"ours, k=24", smooth_with_given_k<Concurrency_tag>},
       {"Neighbor_query", find_neighbors_by_cgal<Concurrency_tag>},
-#ifdef BALANCED_FLOW_HAS_NANOFLANN
+#ifdef POINT_SET_FLOW_HAS_NANOFLANN
       {"nanoflann", find_neighbors_by_nanoflann<Concurrency_tag>},
 #endif
       {"our graph", find_neighbors<Concurrency_tag>},
   };
 }
 
-#endif // BALANCED_FLOW_BENCHMARK_SPEED_METHODS_H
+#endif // POINT_SET_FLOW_BENCHMARK_SPEED_METHODS_H

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#ifndef BALANCED_FLOW_BENCHMARK_SPEED_PHASES_H
-#define BALANCED_FLOW_BENCHMARK_SPEED_PHASES_H
+#ifndef POINT_SET_FLOW_BENCHMARK_SPEED_PHASES_H
+#define POINT_SET_FLOW_BENCHMARK_SPEED_PHASES_H
 
 #include "comparison/Surface.h"
 
@@ -106,4 +106,4 @@ inline Phases median_phases(const std::vector<Phases>& runs)
   return medians;
 }
 
-#endif // BALANCED_FLOW_BENCHMARK_SPEED_PHASES_H
+#endif // POINT_SET_FLOW_BENCHMARK_SPEED_PHASES_H

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#ifndef BALANCED_FLOW_BENCHMARK_TARGETS_H
-#define BALANCED_FLOW_BENCHMARK_TARGETS_H
+#ifndef POINT_SET_FLOW_BENCHMARK_TARGETS_H
+#define POINT_SET_FLOW_BENCHMARK_TARGETS_H
 
 #include <cmath>
 #include <cstdio>
@@ -70,4 +70,4 @@ public:
   }
 };
 
-#endif // BALANCED_FLOW_BENCHMARK_TARGETS_H
+#endif // POINT_SET_FLOW_BENCHMARK_TARGETS_H

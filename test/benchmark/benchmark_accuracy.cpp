@@ -156,7 +156,7 @@ class Benchmark {
         shapes, {m_settings.points.front()}, false,
         [&](const std::string& shape, const Mesh_surface& surface, const Samples& clean) {
           const std::size_t n = clean.points.size();
-          const Points smoothed = balanced_flow(clean.points).points;
+          const Points smoothed = point_set_flow(clean.points).points;
           const double h = spacing_of(surface, n);
           const double moved = movement(clean.points, smoothed) / h;
           const Surface_errors errors(smoothed, surface, std::vector<char>(n, false));
@@ -187,7 +187,7 @@ class Benchmark {
                                  .all.rms();
               };
               const double of_jet = rms(jet(noisy, k)), of_bilateral = rms(bilateral(noisy, k));
-              const double ours = rms(balanced_flow(noisy, k));
+              const double ours = rms(point_set_flow(noisy, k));
               const double ratio = ours / (std::min)(of_jet, of_bilateral);
               std::printf("| %s | %u | %.2f | %.2f | %.2f | **%.2f** |\n", what.name().c_str(), k,
                           of_jet, of_bilateral, ours, ratio);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // How long this package takes and how much memory it needs, beside one pass of the smoothers of CGAL,
-// and its neighbour graph beside those of others. Each run has a process of its own; the methods take
+// and its neighbor graph beside those of others. Each run has a process of its own; the methods take
 // turns, and medians are printed. Ratios are what to trust.
 //   benchmark_speed [--points ...] [--orders ...] [--samplings ...] [--threads ...] [--methods ...]
 #include "Speed_clouds.h"

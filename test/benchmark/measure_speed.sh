@@ -6,7 +6,7 @@ set -eu
 run=$(realpath "$1")
 mkdir -p "$2"
 cd "$2"
-# one pass of each peer, and the neighbour graphs
+# one pass of each peer, and the neighbor graphs
 "$run" --points 1000000 --orders unordered ordered --csv peers.csv | tee peers.md
 # scan lines
 "$run" --points 1000000 --samplings scan --orders ordered --repeats 1 --csv scan.csv | tee scan.md

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The second translation unit: whatever the headers define twice stops the linker here.
-#include <CGAL/Balanced_flow/estimate_point_set_scale.h>
+#include <CGAL/Point_set_flow/estimate_point_set_scale.h>
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/balanced_flow_smooth_point_set.h>
 

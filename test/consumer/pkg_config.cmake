@@ -5,7 +5,7 @@ file(REMOVE_RECURSE ${work})
 file(MAKE_DIRECTORY ${work})
 set(ENV{PKG_CONFIG_PATH} ${WORK_DIR}/prefix/share/pkgconfig)
 
-execute_process(COMMAND ${PKG_CONFIG} --cflags --libs balanced-flow
+execute_process(COMMAND ${PKG_CONFIG} --cflags --libs point-set-flow
                 OUTPUT_VARIABLE flags OUTPUT_STRIP_TRAILING_WHITESPACE COMMAND_ERROR_IS_FATAL ANY)
 separate_arguments(flags UNIX_COMMAND "${flags}")
 execute_process(COMMAND ${CXX} -std=c++17 ${EXAMPLE} ${flags} -o ${work}/example COMMAND_ERROR_IS_FATAL ANY)
@@ -25,7 +25,7 @@ if(NOT number_of_points EQUAL 400)
   message(FATAL_ERROR "${number_of_points} of 400 points were written")
 endif()
 
-execute_process(COMMAND ${PKG_CONFIG} --exists "balanced-flow >= 0.2" RESULT_VARIABLE result)
+execute_process(COMMAND ${PKG_CONFIG} --exists "point-set-flow >= 0.2" RESULT_VARIABLE result)
 if(result EQUAL 0)
   message(FATAL_ERROR "pkg-config finds a version that is not installed")
 endif()

@@ -7,7 +7,7 @@ foreach(way IN ITEMS add_subdirectory FetchContent)
   execute_process(
     COMMAND ${CMAKE_COMMAND} -S ${CONSUMER_DIR}/source_tree -B ${build} -D WAY=${way}
             -D SOURCE_TREE=${SOURCE_TREE} -D FETCHCONTENT_FULLY_DISCONNECTED=ON
-            -D CMAKE_CXX_COMPILER=${CXX} -D BALANCED_FLOW_WITH_TBB=${WITH_TBB} -D CMAKE_INSTALL_PREFIX=${build}/prefix
+            -D CMAKE_CXX_COMPILER=${CXX} -D POINT_SET_FLOW_WITH_TBB=${WITH_TBB} -D CMAKE_INSTALL_PREFIX=${build}/prefix
     COMMAND_ERROR_IS_FATAL ANY)
   execute_process(COMMAND ${CMAKE_COMMAND} --build ${build} COMMAND_ERROR_IS_FATAL ANY)
   execute_process(COMMAND ${build}/consumer COMMAND_ERROR_IS_FATAL ANY)

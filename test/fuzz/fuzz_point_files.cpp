@@ -86,7 +86,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   return 0;
 }
 
-#ifndef BALANCED_FLOW_LIBFUZZER
+#ifndef POINT_SET_FLOW_LIBFUZZER
 int main(int argc, char** argv)
 {
   for (int i = 1; i < argc; ++i) {

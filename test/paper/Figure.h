@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#ifndef BALANCED_FLOW_PAPER_FIGURE_H
-#define BALANCED_FLOW_PAPER_FIGURE_H
+#ifndef POINT_SET_FLOW_PAPER_FIGURE_H
+#define POINT_SET_FLOW_PAPER_FIGURE_H
 
 #include "comparison/Result_table.h"
 #include "comparison/Smoothing_measures.h"
@@ -138,4 +138,4 @@ private:
   }
 };
 
-#endif // BALANCED_FLOW_PAPER_FIGURE_H
+#endif // POINT_SET_FLOW_PAPER_FIGURE_H

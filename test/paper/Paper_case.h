@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#ifndef BALANCED_FLOW_PAPER_PAPER_CASE_H
-#define BALANCED_FLOW_PAPER_PAPER_CASE_H
+#ifndef POINT_SET_FLOW_PAPER_PAPER_CASE_H
+#define POINT_SET_FLOW_PAPER_PAPER_CASE_H
 
 #include "Figure.h"
 
@@ -107,4 +107,4 @@ inline std::string text(double value, int digits = 2)
   return out.str();
 }
 
-#endif // BALANCED_FLOW_PAPER_PAPER_CASE_H
+#endif // POINT_SET_FLOW_PAPER_PAPER_CASE_H

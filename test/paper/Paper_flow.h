@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#ifndef BALANCED_FLOW_PAPER_PAPER_FLOW_H
-#define BALANCED_FLOW_PAPER_PAPER_FLOW_H
+#ifndef POINT_SET_FLOW_PAPER_PAPER_FLOW_H
+#define POINT_SET_FLOW_PAPER_PAPER_FLOW_H
 
 #include "comparison/Smoothers.h"
 
@@ -78,4 +78,4 @@ inline std::vector<Seen> what_flows_see(const Points& points, unsigned int k = 2
   return seen;
 }
 
-#endif // BALANCED_FLOW_PAPER_PAPER_FLOW_H
+#endif // POINT_SET_FLOW_PAPER_PAPER_FLOW_H

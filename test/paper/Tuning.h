@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#ifndef BALANCED_FLOW_PAPER_TUNING_H
-#define BALANCED_FLOW_PAPER_TUNING_H
+#ifndef POINT_SET_FLOW_PAPER_TUNING_H
+#define POINT_SET_FLOW_PAPER_TUNING_H
 
 #include "Paper_flow.h"
 
@@ -51,4 +51,4 @@ Tuned run_tuned_flow(const Points& noisy, const Any_flow& flow, const Flow_setti
           error};
 }
 
-#endif // BALANCED_FLOW_PAPER_TUNING_H
+#endif // POINT_SET_FLOW_PAPER_TUNING_H

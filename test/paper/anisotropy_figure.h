@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#ifndef BALANCED_FLOW_PAPER_ANISOTROPY_FIGURE_H
-#define BALANCED_FLOW_PAPER_ANISOTROPY_FIGURE_H
+#ifndef POINT_SET_FLOW_PAPER_ANISOTROPY_FIGURE_H
+#define POINT_SET_FLOW_PAPER_ANISOTROPY_FIGURE_H
 
 #include "Paper_case.h"
 #include "Tuning.h"
@@ -49,7 +49,7 @@ inline void anisotropy_figure(const Run_settings& s)
   add("c: naive anisotropic (5)", flow(Anisotropic_flow(), 40));
   add("d: well-posed anisotropic (6)", flow(Well_posed_anisotropic_flow(), 40));
   add("e: balanced (9)", flow(Balanced_flow(), 40));
-  add("f: this package, defaults", as_it_is(balanced_flow(data.noisy).points));
+  add("f: this package, defaults", as_it_is(point_set_flow(data.noisy).points));
   figure.write_table(table);
 
   // where one stops matters, too
@@ -70,4 +70,4 @@ inline void anisotropy_figure(const Run_settings& s)
   figure.write_table(over_time, "_steps");
 }
 
-#endif // BALANCED_FLOW_PAPER_ANISOTROPY_FIGURE_H
+#endif // POINT_SET_FLOW_PAPER_ANISOTROPY_FIGURE_H

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#ifndef BALANCED_FLOW_PAPER_BAND_FIGURE_H
-#define BALANCED_FLOW_PAPER_BAND_FIGURE_H
+#ifndef POINT_SET_FLOW_PAPER_BAND_FIGURE_H
+#define POINT_SET_FLOW_PAPER_BAND_FIGURE_H
 
 #include "Paper_case.h"
 #include "Paper_flow.h"
@@ -61,4 +61,4 @@ inline void band_figure(const Run_settings& s)
   figure.write_table(table);
 }
 
-#endif // BALANCED_FLOW_PAPER_BAND_FIGURE_H
+#endif // POINT_SET_FLOW_PAPER_BAND_FIGURE_H

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#ifndef BALANCED_FLOW_PAPER_CUBE_FIGURE_H
-#define BALANCED_FLOW_PAPER_CUBE_FIGURE_H
+#ifndef POINT_SET_FLOW_PAPER_CUBE_FIGURE_H
+#define POINT_SET_FLOW_PAPER_CUBE_FIGURE_H
 
 #include "Paper_case.h"
 #include "Tuning.h"
@@ -59,10 +59,10 @@ inline void cube_figure(const Run_settings& s)
       flow(Volume_preserving_flow(), 12, 4));
   add("d: balanced (9), dynamic, 12 steps", "d: dynamic (9), 12 steps",
       flow(Balanced_flow(), 12, 4));
-  add("e: this package, defaults", "e: this package, defaults", balanced_flow(noisy).points);
+  add("e: this package, defaults", "e: this package, defaults", point_set_flow(noisy).points);
   for (std::size_t i = 0; i < results.size(); ++i)
     figure.add_points(curvatures[i].first, results[i], curvatures[i].second);
   figure.write_table(table);
 }
 
-#endif // BALANCED_FLOW_PAPER_CUBE_FIGURE_H
+#endif // POINT_SET_FLOW_PAPER_CUBE_FIGURE_H

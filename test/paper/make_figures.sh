@@ -7,7 +7,7 @@ cd "$(dirname "$0")/../.."
 sh cmake/install_packages.sh g++ make cmake libcgal-dev libcgal-demo libeigen3-dev libtbb-dev \
   libboost-program-options-dev python3-vtk9 gnuplot-nox pngquant xvfb xauth libgl1-mesa-dri fonts-dejavu-core
 
-cmake --preset release -D BALANCED_FLOW_BUILD_BENCHMARKS=ON
+cmake --preset release -D POINT_SET_FLOW_BUILD_BENCHMARKS=ON
 cmake --build build/release --parallel 2 --target paper_experiments
 
 data=build/paper

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#ifndef BALANCED_FLOW_PAPER_PLANK_FIGURE_H
-#define BALANCED_FLOW_PAPER_PLANK_FIGURE_H
+#ifndef POINT_SET_FLOW_PAPER_PLANK_FIGURE_H
+#define POINT_SET_FLOW_PAPER_PLANK_FIGURE_H
 
 #include "Paper_case.h"
 #include "Tuning.h"
@@ -73,7 +73,7 @@ inline void plank_figure(const Run_settings& s)
       Tuned(
           influences, [&](double x) { return non_iterative(data.noisy, 20, x); }, error)
           .points);
-  add("f: this package, defaults", "", balanced_flow(data.noisy).points);
+  add("f: this package, defaults", "", point_set_flow(data.noisy).points);
 
   // with hardly any influence weights, that is without protection of edges
   const double much = influences.back();
@@ -84,4 +84,4 @@ inline void plank_figure(const Run_settings& s)
   figure.write_table(table);
 }
 
-#endif // BALANCED_FLOW_PAPER_PLANK_FIGURE_H
+#endif // POINT_SET_FLOW_PAPER_PLANK_FIGURE_H

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#ifndef BALANCED_FLOW_PAPER_SCAN_FIGURES_H
-#define BALANCED_FLOW_PAPER_SCAN_FIGURES_H
+#ifndef POINT_SET_FLOW_PAPER_SCAN_FIGURES_H
+#define POINT_SET_FLOW_PAPER_SCAN_FIGURES_H
 
 #include "Paper_flow.h"
 #include "Paper_case.h"
@@ -51,7 +51,7 @@ inline void scan_figure(const Run_settings& s, const std::string& name, const Po
       run_flow(scan, CGAL::Point_set_flow::Balanced_flow(), {s.steps(12), 4}));
   add("c: bilateral", bilateral_denoising(scan, 20, 4));
   add("d: Laplacian", laplacian(scan, 20, 4));
-  add("e: this package, defaults", balanced_flow(scan).points);
+  add("e: this package, defaults", point_set_flow(scan).points);
   if (surface)
     add("f: scan without the noise", detail);
   cloud.write_table(table);
@@ -87,4 +87,4 @@ inline void scan_figures(const Run_settings& s)
   scan_figure(s, "bunny", noisy, bunny, &surface);
 }
 
-#endif // BALANCED_FLOW_PAPER_SCAN_FIGURES_H
+#endif // POINT_SET_FLOW_PAPER_SCAN_FIGURES_H

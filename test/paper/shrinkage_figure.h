@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#ifndef BALANCED_FLOW_PAPER_SHRINKAGE_FIGURE_H
-#define BALANCED_FLOW_PAPER_SHRINKAGE_FIGURE_H
+#ifndef POINT_SET_FLOW_PAPER_SHRINKAGE_FIGURE_H
+#define POINT_SET_FLOW_PAPER_SHRINKAGE_FIGURE_H
 
 #include "Paper_case.h"
 #include "Paper_flow.h"
@@ -33,10 +33,10 @@ inline void shrinkage_figure(const Run_settings& s)
   add("c: curvature flow (4), 200 steps", flow(Curvature_flow(), 200, 0));
   add("d: well-posed flow (6), 200 steps", flow(Well_posed_anisotropic_flow(), 200, 0));
   add("e: volume-preserving (7), 200 steps", flow(Volume_preserving_flow(), 200, 0));
-  add("f: this package, defaults", balanced_flow(data.noisy).points);
+  add("f: this package, defaults", point_set_flow(data.noisy).points);
   table.add("well-posed flow (6), 1000 steps",
             errors(data, flow(Well_posed_anisotropic_flow(), 1000, 0)));
   figure.write_table(table);
 }
 
-#endif // BALANCED_FLOW_PAPER_SHRINKAGE_FIGURE_H
+#endif // POINT_SET_FLOW_PAPER_SHRINKAGE_FIGURE_H

@@ -11,11 +11,11 @@ from conan.tools.files import copy, load, rmdir
 required_conan_version = ">=2.0"
 
 TREE = os.path.join("..", "..", "..")
-CONFIG_DIR = "share/BalancedFlow"
+CONFIG_DIR = "share/PointSetFlow"
 
 
-class BalancedFlowConan(ConanFile):
-    name = "balanced-flow"
+class PointSetFlowConan(ConanFile):
+    name = "point-set-flow"
     description = "Smoothing of 3D point sets by dynamic balanced flow, in the style of CGAL"
     license = "GPL-3.0-or-later"
     topics = ("cgal", "geometry", "point-cloud", "smoothing", "denoising")
@@ -26,7 +26,7 @@ class BalancedFlowConan(ConanFile):
 
     def set_version(self):
         text = load(self, os.path.join(self.recipe_folder, TREE, "CMakeLists.txt"))
-        self.version = re.search(r"project\(BalancedFlow VERSION ([0-9.]+)", text).group(1)
+        self.version = re.search(r"project\(PointSetFlow VERSION ([0-9.]+)", text).group(1)
 
     def export_sources(self):
         tree = os.path.join(self.recipe_folder, TREE)
@@ -57,12 +57,12 @@ class BalancedFlowConan(ConanFile):
     def generate(self):
         toolchain = CMakeToolchain(self)
         toolchain.user_presets_path = False  # leaves the tree as it is
-        toolchain.cache_variables["BALANCED_FLOW_BUILD_TESTS"] = False
-        toolchain.cache_variables["BALANCED_FLOW_BUILD_EXAMPLES"] = False
-        toolchain.cache_variables["BALANCED_FLOW_BUILD_PROGRAM"] = bool(self.options.with_program)
+        toolchain.cache_variables["POINT_SET_FLOW_BUILD_TESTS"] = False
+        toolchain.cache_variables["POINT_SET_FLOW_BUILD_EXAMPLES"] = False
+        toolchain.cache_variables["POINT_SET_FLOW_BUILD_PROGRAM"] = bool(self.options.with_program)
         toolchain.cache_variables["CMAKE_DISABLE_FIND_PACKAGE_PDAL"] = True  # not in ConanCenter
-        toolchain.cache_variables["BALANCED_FLOW_WITH_TBB"] = bool(self.options.with_tbb)
-        toolchain.cache_variables["BALANCED_FLOW_CONFIG_DIR"] = CONFIG_DIR
+        toolchain.cache_variables["POINT_SET_FLOW_WITH_TBB"] = bool(self.options.with_tbb)
+        toolchain.cache_variables["POINT_SET_FLOW_CONFIG_DIR"] = CONFIG_DIR
         toolchain.generate()
 
     def build(self):
@@ -79,7 +79,7 @@ class BalancedFlowConan(ConanFile):
         # CMake finds the package by its own configuration file, which knows the components
         self.cpp_info.set_property("cmake_find_mode", "none")
         self.cpp_info.builddirs = [CONFIG_DIR]
-        self.cpp_info.set_property("pkg_config_name", "balanced-flow")
+        self.cpp_info.set_property("pkg_config_name", "point-set-flow")
         self.cpp_info.defines = ["CGAL_EIGEN3_ENABLED"]
         if self.options.with_tbb:
             self.cpp_info.defines += ["CGAL_LINKED_WITH_TBB", "NOMINMAX"]

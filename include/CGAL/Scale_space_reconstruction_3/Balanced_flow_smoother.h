@@ -12,7 +12,7 @@ namespace CGAL {
 namespace Scale_space_reconstruction_3 {
 
 /**
-   \ingroup PkgBalancedFlowFunctions
+   \ingroup PkgPointSetFlowFunctions
 
    %Smoother for scale space reconstruction based on `CGAL::balanced_flow_smooth_point_set()`.
 

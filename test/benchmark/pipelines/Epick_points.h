@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#ifndef BALANCED_FLOW_BENCHMARK_EPICK_POINTS_H
-#define BALANCED_FLOW_BENCHMARK_EPICK_POINTS_H
+#ifndef POINT_SET_FLOW_BENCHMARK_EPICK_POINTS_H
+#define POINT_SET_FLOW_BENCHMARK_EPICK_POINTS_H
 
 #include "Pipelines.h"
 
@@ -24,4 +24,4 @@ inline Epick_points to_epick(const Points& points)
 
 Reconstructed mesh_of(const Epick_points& points, const Triangles& triangles);
 
-#endif // BALANCED_FLOW_BENCHMARK_EPICK_POINTS_H
+#endif // POINT_SET_FLOW_BENCHMARK_EPICK_POINTS_H

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#ifndef BALANCED_FLOW_BENCHMARK_MESH_MEASURES_H
-#define BALANCED_FLOW_BENCHMARK_MESH_MEASURES_H
+#ifndef POINT_SET_FLOW_BENCHMARK_MESH_MEASURES_H
+#define POINT_SET_FLOW_BENCHMARK_MESH_MEASURES_H
 
 #include "comparison/Mesh_surface.h"
 #include "comparison/Smoothing_measures.h"
@@ -30,4 +30,4 @@ struct Mesh_distances {
 
 Mesh_distances distances_of(const Mesh& mesh, const Truth& truth, std::size_t samples, double far);
 
-#endif // BALANCED_FLOW_BENCHMARK_MESH_MEASURES_H
+#endif // POINT_SET_FLOW_BENCHMARK_MESH_MEASURES_H

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#ifndef BALANCED_FLOW_BENCHMARK_PIPELINES_H
-#define BALANCED_FLOW_BENCHMARK_PIPELINES_H
+#ifndef POINT_SET_FLOW_BENCHMARK_PIPELINES_H
+#define POINT_SET_FLOW_BENCHMARK_PIPELINES_H
 
 #include "comparison/Mesh_surface.h"
 
@@ -18,7 +18,7 @@ Reconstructed advancing_front(const Points& points);
 /// there are none, to sides that are made consistent along a spanning tree.
 Reconstructed poisson(const Points& points, const Vectors& normals, const Vectors& sides);
 
-enum class Scale_smoother { none, weighted_pca, jet, balanced_flow };
+enum class Scale_smoother { none, weighted_pca, jet, point_set_flow };
 
 /// With CGAL's default mesher, alpha shapes, of a radius that CGAL estimates from the points. The
 /// smoothers of CGAL are applied four times as in its examples, ours once.
@@ -37,4 +37,4 @@ struct Plane_measures {
 Plane_measures measure_planes(const Points& scan, const Points& smoothed, const Vectors& normals,
                               double epsilon, unsigned int runs);
 
-#endif // BALANCED_FLOW_BENCHMARK_PIPELINES_H
+#endif // POINT_SET_FLOW_BENCHMARK_PIPELINES_H

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#ifndef BALANCED_FLOW_BENCHMARK_SCANS_H
-#define BALANCED_FLOW_BENCHMARK_SCANS_H
+#ifndef POINT_SET_FLOW_BENCHMARK_SCANS_H
+#define POINT_SET_FLOW_BENCHMARK_SCANS_H
 
 #include "Mesh_measures.h"
 #include "Pipelines.h"
@@ -90,4 +90,4 @@ inline Scan as_scanned(const std::string& name, const std::string& file)
   return scan;
 }
 
-#endif // BALANCED_FLOW_BENCHMARK_SCANS_H
+#endif // POINT_SET_FLOW_BENCHMARK_SCANS_H

@@ -135,7 +135,7 @@ class Benchmark {
     smoothed["raw"] = {points, {}};
     smoothed["jet"] = jet(points, 24);
     smoothed["bilateral"] = bilateral(points, 24);
-    smoothed["ours"] = balanced_flow(points);
+    smoothed["ours"] = point_set_flow(points);
     smoothed["ours, PCA normals"] = {smoothed["ours"].points, {}};
     return smoothed;
   }
@@ -175,7 +175,7 @@ class Benchmark {
         {"raw", Scale_smoother::none},
         {"weighted PCA, 4 times", Scale_smoother::weighted_pca},
         {"jet, 4 times", Scale_smoother::jet},
-        {"ours", Scale_smoother::balanced_flow}};
+        {"ours", Scale_smoother::point_set_flow}};
     const std::map<std::string, Scale_smoother> smoother_of(scales.begin(), scales.end());
     Names titles;
     for (const auto& scale : scales)

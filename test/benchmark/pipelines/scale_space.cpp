@@ -17,7 +17,7 @@ Reconstructed scale_space(const Points& points, Scale_smoother smoother)
     reconstruction.increase_scale(4, pca);
   else if (smoother == Scale_smoother::jet)
     reconstruction.increase_scale<scale::Jet_smoother<Epick>>(4);
-  else if (smoother == Scale_smoother::balanced_flow)
+  else if (smoother == Scale_smoother::point_set_flow)
     reconstruction.increase_scale<scale::Balanced_flow_smoother<Epick>>();
 
   reconstruction.reconstruct_surface(

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#ifndef BALANCED_FLOW_PAPER_BASELINES_NEIGHBOR_LISTS_H
-#define BALANCED_FLOW_PAPER_BASELINES_NEIGHBOR_LISTS_H
+#ifndef POINT_SET_FLOW_PAPER_BASELINES_NEIGHBOR_LISTS_H
+#define POINT_SET_FLOW_PAPER_BASELINES_NEIGHBOR_LISTS_H
 
 #include "comparison/Nearest_points.h"
 
@@ -38,4 +38,4 @@ inline double gaussian(double squared, double sigma)
   return std::exp(-squared / (2. * sigma * sigma));
 }
 
-#endif // BALANCED_FLOW_PAPER_BASELINES_NEIGHBOR_LISTS_H
+#endif // POINT_SET_FLOW_PAPER_BASELINES_NEIGHBOR_LISTS_H

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#ifndef BALANCED_FLOW_PAPER_BASELINES_BILATERAL_DENOISING_H
-#define BALANCED_FLOW_PAPER_BASELINES_BILATERAL_DENOISING_H
+#ifndef POINT_SET_FLOW_PAPER_BASELINES_BILATERAL_DENOISING_H
+#define POINT_SET_FLOW_PAPER_BASELINES_BILATERAL_DENOISING_H
 
 #include "Neighbor_lists.h"
 
@@ -67,4 +67,4 @@ inline Points bilateral_denoising(Points points, unsigned int k, int iterations,
   return points;
 }
 
-#endif // BALANCED_FLOW_PAPER_BASELINES_BILATERAL_DENOISING_H
+#endif // POINT_SET_FLOW_PAPER_BASELINES_BILATERAL_DENOISING_H

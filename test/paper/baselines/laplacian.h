@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#ifndef BALANCED_FLOW_PAPER_BASELINES_LAPLACIAN_H
-#define BALANCED_FLOW_PAPER_BASELINES_LAPLACIAN_H
+#ifndef POINT_SET_FLOW_PAPER_BASELINES_LAPLACIAN_H
+#define POINT_SET_FLOW_PAPER_BASELINES_LAPLACIAN_H
 
 #include "Neighbor_lists.h"
 
@@ -36,4 +36,4 @@ inline Points laplacian(Points points, unsigned int k, int iterations, double la
   return points;
 }
 
-#endif // BALANCED_FLOW_PAPER_BASELINES_LAPLACIAN_H
+#endif // POINT_SET_FLOW_PAPER_BASELINES_LAPLACIAN_H

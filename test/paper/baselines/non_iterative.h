@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#ifndef BALANCED_FLOW_PAPER_BASELINES_NON_ITERATIVE_H
-#define BALANCED_FLOW_PAPER_BASELINES_NON_ITERATIVE_H
+#ifndef POINT_SET_FLOW_PAPER_BASELINES_NON_ITERATIVE_H
+#define POINT_SET_FLOW_PAPER_BASELINES_NON_ITERATIVE_H
 
 #include "bilateral_denoising.h"
 
@@ -56,4 +56,4 @@ inline Points non_iterative(const Points& points, unsigned int k, double influen
   return moved;
 }
 
-#endif // BALANCED_FLOW_PAPER_BASELINES_NON_ITERATIVE_H
+#endif // POINT_SET_FLOW_PAPER_BASELINES_NON_ITERATIVE_H

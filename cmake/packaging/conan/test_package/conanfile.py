@@ -7,7 +7,7 @@ from conan.tools.build import can_run
 from conan.tools.cmake import CMake, CMakeToolchain, cmake_layout
 
 
-class BalancedFlowTestConan(ConanFile):
+class PointSetFlowTestConan(ConanFile):
     settings = "os", "compiler", "build_type", "arch"
     generators = "CMakeDeps", "VirtualRunEnv"
 
@@ -18,7 +18,7 @@ class BalancedFlowTestConan(ConanFile):
         cmake_layout(self)
 
     def generate(self):
-        options = self.dependencies["balanced-flow"].options
+        options = self.dependencies["point-set-flow"].options
         toolchain = CMakeToolchain(self)
         toolchain.cache_variables["WITH_TBB"] = str(options.with_tbb).upper()
         toolchain.cache_variables["WITH_PROGRAM"] = str(options.with_program).upper()

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef CGAL_POINT_SET_FLOW_POINT_SET_SCALE_H
+#define CGAL_POINT_SET_FLOW_POINT_SET_SCALE_H
+
+namespace CGAL {
+namespace Point_set_flow {
+
+/// \ingroup PkgPointSetFlowFunctions
+/// The noise and the spacing of a point set, and the neighborhood size that suits them.
+struct Point_set_scale {
+  /// the standard deviation of the distance to the surface, in the unit of the data
+  double noise = 0.;
+  /// the side of the square that each point has for itself, in the unit of the data
+  double spacing = 0.;
+  /// the number of neighbors that suits this noise: about what `balanced_flow_smooth_point_set()`
+  /// takes if it is given none
+  unsigned int k = 24;
+};
+
+} // namespace Point_set_flow
+} // namespace CGAL
+
+#endif // CGAL_POINT_SET_FLOW_POINT_SET_SCALE_H

@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef CGAL_POINT_SET_FLOW_INTERNAL_CALLER_COPY_OUT_H
+#define CGAL_POINT_SET_FLOW_INTERNAL_CALLER_COPY_OUT_H
+
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Point_set_flow {
+namespace internal {
+
+/// Writes values to a property map, and takes that back unless it is told to keep them: whatever
+/// throws in between, the map has its old values again.
+template <typename Range, typename Map, typename Value>
+class Map_writer {
+  Range& m_range;
+  Map* m_map;
+  std::vector<Value> m_values; // of those that are written the old ones
+  std::size_t m_written = 0;
+  bool m_is_kept = false;
+
+public:
+  /// \param map null to write nothing
+  /// \param values for each element of the range
+  Map_writer(Range& range, Map* map, std::vector<Value>&& values)
+      : m_range(range), m_map(map), m_values(std::move(values))
+  {}
+
+  Map_writer(const Map_writer&) = delete;
+  Map_writer& operator=(const Map_writer&) = delete;
+
+  void write()
+  {
+    if (!m_map)
+      return;
+    for (auto it = m_range.begin(); m_written != m_values.size(); ++it, ++m_written) {
+      const Value old = get(*m_map, *it);
+      put(*m_map, *it, m_values[m_written]);
+      m_values[m_written] = old;
+    }
+  }
+
+  void keep() { m_is_kept = true; }
+
+  ~Map_writer()
+  {
+    if (m_is_kept)
+      return;
+    try {
+      auto it = m_range.begin();
+      for (std::size_t i = 0; i < m_written; ++it, ++i)
+        put(*m_map, *it, m_values[i]);
+    }
+    catch (...) {
+      // a map that can not be written any more; the first exception says more than this one
+    }
+  }
+};
+
+} // namespace internal
+} // namespace Point_set_flow
+} // namespace CGAL
+
+#endif // CGAL_POINT_SET_FLOW_INTERNAL_CALLER_COPY_OUT_H

@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef CGAL_POINT_SET_FLOW_INTERNAL_FITTING_COVARIANCE_3_H
+#define CGAL_POINT_SET_FLOW_INTERNAL_FITTING_COVARIANCE_3_H
+
+#include <CGAL/Point_set_flow/Neighborhood_3.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace CGAL {
+namespace Point_set_flow {
+namespace internal {
+
+/// Eq. (1): the covariance matrix of a point and its neighbors about their centroid.
+struct Covariance_3 {
+  double xx = 0., xy = 0., xz = 0., yy = 0., yz = 0., zz = 0.;
+
+  Covariance_3() = default;
+
+  explicit Covariance_3(const Neighborhood_3& neighborhood)
+  {
+    const Point_3& p = neighborhood.center();
+    // two passes: the smallest eigenvalue of a nearly flat neighborhood would not survive the
+    // difference of two large sums
+    Vector_3 mean(0., 0., 0.);
+    for (std::size_t j = 0; j < neighborhood.size(); ++j)
+      mean = mean + (neighborhood[j] - p);
+    mean = mean / double(neighborhood.size() + 1);
+
+    add(-mean);
+    for (std::size_t j = 0; j < neighborhood.size(); ++j)
+      add((neighborhood[j] - p) - mean);
+  }
+
+  void add(const Vector_3& d, double weight = 1.)
+  {
+    const double x = weight * d.x(), y = weight * d.y();
+    xx += x * d.x(), xy += x * d.y(), xz += x * d.z();
+    yy += y * d.y(), yz += y * d.z(), zz += weight * d.z() * d.z();
+  }
+
+  double trace() const { return xx + yy + zz; }
+};
+
+/// The direction of least variance and, Eq. (2), its share of the whole variance.
+struct Smallest_eigenpair_3 {
+  Vector_3 vector;
+  double variation;
+};
+
+/// Cyclic Jacobi rotations: slow, but accurate in any case, also where eigenvalues meet.
+/// \pre the trace is positive
+inline Smallest_eigenpair_3 smallest_eigenpair_by_rotations(const Covariance_3& c)
+{
+  const double trace = c.trace();
+  double a[3][3] = {{c.xx, c.xy, c.xz}, {c.xy, c.yy, c.yz}, {c.xz, c.yz, c.zz}};
+  double v[3][3] = {{1., 0., 0.}, {0., 1., 0.}, {0., 0., 1.}}; // rows are the eigenvectors
+  const double negligible = trace * (std::numeric_limits<double>::epsilon)() * .01;
+
+  for (int sweep = 0; sweep < 12; ++sweep) {
+    if (std::abs(a[0][1]) + std::abs(a[0][2]) + std::abs(a[1][2]) <= negligible)
+      break;
+    for (int p = 0; p < 2; ++p)
+      for (int q = p + 1; q < 3; ++q) {
+        if (a[p][q] == 0.)
+          continue;
+        const double theta = (a[q][q] - a[p][p]) / (2. * a[p][q]);
+        const double t =
+            std::copysign(1., theta) / (std::abs(theta) + std::sqrt(theta * theta + 1.));
+        const double cosine = 1. / std::sqrt(t * t + 1.), sine = t * cosine;
+        const int r = 3 - p - q;
+        const double apr = a[p][r], aqr = a[q][r];
+        a[p][p] -= t * a[p][q];
+        a[q][q] += t * a[p][q];
+        a[p][q] = a[q][p] = 0.;
+        a[p][r] = a[r][p] = cosine * apr - sine * aqr;
+        a[q][r] = a[r][q] = sine * apr + cosine * aqr;
+        for (int i = 0; i < 3; ++i) {
+          const double vp = v[p][i], vq = v[q][i];
+          v[p][i] = cosine * vp - sine * vq;
+          v[q][i] = sine * vp + cosine * vq;
+        }
+      }
+  }
+  const int least =
+      a[0][0] <= a[1][1] ? (a[0][0] <= a[2][2] ? 0 : 2) : (a[1][1] <= a[2][2] ? 1 : 2);
+  const Vector_3 vector(v[least][0], v[least][1], v[least][2]);
+  return {vector / std::sqrt(vector.squared_length()), (std::max)(a[least][least], 0.) / trace};
+}
+
+/// The smallest root of the characteristic polynomial by Newton's method, which rises to it from 0,
+/// and the vector that the other two eigenvectors leave. Where that does not come out well, because
+/// eigenvalues meet, by rotations.
+inline Smallest_eigenpair_3 smallest_eigenpair(const Covariance_3& c)
+{
+  const double trace = c.trace();
+  if (!(trace > (std::numeric_limits<double>::min)()))
+    return {Vector_3(0., 0., 1.), 0.}; // all points in one place
+  const double scale = 1. / trace;
+  const double xx = c.xx * scale, xy = c.xy * scale, xz = c.xz * scale;
+  const double yy = c.yy * scale, yz = c.yz * scale, zz = c.zz * scale;
+
+  const double minors = xx * yy - xy * xy + xx * zz - xz * xz + yy * zz - yz * yz;
+  const double det = xx * (yy * zz - yz * yz) - xy * (xy * zz - yz * xz) + xz * (xy * yz - yy * xz);
+  double root = 0.;
+  for (int i = 0; i < 8; ++i) {
+    const double value = ((root - 1.) * root + minors) * root - det;
+    const double slope = (3. * root - 2.) * root + minors;
+    const double step = value / slope;
+    root -= step;
+    if (!(std::abs(step) > 1e-12))
+      break;
+  }
+
+  const Vector_3 rows[3] = {Vector_3(xx - root, xy, xz), Vector_3(xy, yy - root, yz),
+                            Vector_3(xz, yz, zz - root)};
+  Vector_3 vector(0., 0., 0.);
+  double length = 0.;
+  for (int i = 0; i < 3; ++i) {
+    const Vector_3 v = cross_product(rows[i], rows[(i + 1) % 3]);
+    if (v.squared_length() > length) {
+      vector = v;
+      length = v.squared_length();
+    }
+  }
+  vector = vector / std::sqrt(length);
+  const Vector_3 image(xx * vector.x() + xy * vector.y() + xz * vector.z(),
+                       xy * vector.x() + yy * vector.y() + yz * vector.z(),
+                       xz * vector.x() + yz * vector.y() + zz * vector.z());
+  const double variation = image * vector; // the Rayleigh quotient: twice as many digits
+  if (!((image - variation * vector).squared_length() < 1e-24)) // or not a number
+    return smallest_eigenpair_by_rotations(c);
+  return {vector, (std::max)(variation, 0.)};
+}
+
+} // namespace internal
+} // namespace Point_set_flow
+} // namespace CGAL
+
+#endif // CGAL_POINT_SET_FLOW_INTERNAL_FITTING_COVARIANCE_3_H

@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef CGAL_POINT_SET_FLOW_INTERNAL_ORDER_POINT_BUFFER_H
+#define CGAL_POINT_SET_FLOW_INTERNAL_ORDER_POINT_BUFFER_H
+
+#include <CGAL/Point_set_flow/Vector_types.h>
+#include <CGAL/Point_set_flow/internal/order/Spatial_order.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <stdexcept>
+#include <vector>
+
+namespace CGAL {
+namespace Point_set_flow {
+namespace internal {
+
+/// The private copy that the flow works on: the distinct points of the input, in an order that
+/// follows space and does not depend on the order of the input.
+///
+/// Exact duplicates are merged, since they would make nearest neighbors meaningless and searching
+/// quadratic; afterwards they move as one.
+class Point_buffer {
+public:
+  Array<Point_3> reference;           ///< \f$I\f$
+  Array<Point_3> start;               ///< \f$\chi\f$; empty if it is the reference
+  std::vector<char> constrained;      ///< empty if no point is
+  std::vector<std::uint32_t> site_of; ///< for each input point, where it is above
+
+  /// \param input the reference points in the order of the caller
+  /// \param from where the flow starts, Eq. (7b); empty to start at the reference
+  /// \param fixed which points must not move; empty if all may
+  template <typename ConcurrencyTag>
+  Point_buffer(ConcurrencyTag, const Array<Point_3>& input, const Array<Point_3>& from,
+               const std::vector<char>& fixed, Progress& progress, double work)
+      : site_of(input.size())
+  {
+    if (input.size() > (std::numeric_limits<std::uint32_t>::max)())
+      throw std::length_error("CGAL::balanced_flow_smooth_point_set: more than 2^32 - 1 points");
+    const Spatial_order<ConcurrencyTag> order(input, from, progress, .5 * work);
+    reference.resize(input.size());
+    start.resize(from.size());
+    const auto gather = [&](std::size_t begin, std::size_t end) {
+      for (std::size_t i = begin; i < end; ++i) {
+        reference[i] = input[order[i]];
+        if (!from.empty())
+          start[i] = from[order[i]];
+      }
+    };
+    for_each_block<ConcurrencyTag>(input.size(), progress, .5 * work, gather);
+
+    std::size_t count = 0;
+    for (std::size_t i = 0; i < input.size(); ++i) {
+      if (i == 0 || reference[i] != reference[count - 1] ||
+          (!from.empty() && start[i] != start[count - 1])) {
+        reference[count] = reference[i];
+        if (!from.empty())
+          start[count] = start[i];
+        ++count;
+      }
+      site_of[order[i]] = static_cast<std::uint32_t>(count - 1);
+    }
+    reference.resize(count);
+    start.resize(from.empty() ? 0 : count);
+    progress.advance(0.);
+
+    if (!fixed.empty()) {
+      constrained.assign(count, 0);
+      for (std::size_t i = 0; i < fixed.size(); ++i)
+        if (fixed[i])
+          constrained[site_of[i]] = 1;
+      for (std::size_t site = 0; site < start.size(); ++site)
+        if (constrained[site])
+          start[site] = reference[site]; // also if the others start elsewhere
+    }
+  }
+
+  std::size_t size() const { return reference.size(); }
+};
+
+} // namespace internal
+} // namespace Point_set_flow
+} // namespace CGAL
+
+#endif // CGAL_POINT_SET_FLOW_INTERNAL_ORDER_POINT_BUFFER_H
