@@ -10,7 +10,7 @@
 #include <CGAL/Point_set_flow/estimate_point_set_scale.h>
 #include <CGAL/Point_set_flow/internal/neighbors/Neighbor_graph.h>
 #include <CGAL/Point_set_flow/internal/order/Point_buffer.h>
-#include <CGAL/Point_set_flow/internal/fitting/prefilter.h>
+#include <CGAL/Point_set_flow/internal/flow/prefilter.h>
 #include <CGAL/Orthogonal_k_neighbor_search.h>
 #include <CGAL/estimate_point_set_noise.h>
 

@@ -2,7 +2,7 @@
 #ifndef CGAL_POINT_SET_FLOW_COVARIANCE_CURVATURE_H
 #define CGAL_POINT_SET_FLOW_COVARIANCE_CURVATURE_H
 
-#include <CGAL/Point_set_flow/Curvature_3.h>
+#include <CGAL/Point_set_flow/Curvature_defaults.h>
 #include <CGAL/Point_set_flow/Neighborhood_3.h>
 #include <CGAL/Point_set_flow/internal/fitting/Covariance_3.h>
 #include <CGAL/tags.h>

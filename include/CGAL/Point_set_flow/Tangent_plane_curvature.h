@@ -2,11 +2,11 @@
 #ifndef CGAL_POINT_SET_FLOW_TANGENT_PLANE_CURVATURE_H
 #define CGAL_POINT_SET_FLOW_TANGENT_PLANE_CURVATURE_H
 
-#include <CGAL/Point_set_flow/Curvature_3.h>
+#include <CGAL/Point_set_flow/Curvature_defaults.h>
 #include <CGAL/Point_set_flow/Neighborhood_3.h>
 #include <CGAL/Point_set_flow/internal/fitting/Angle_weight.h>
 #include <CGAL/Point_set_flow/internal/fitting/Covariance_3.h>
-#include <CGAL/Point_set_flow/internal/fitting/Two_by_two.h>
+#include <CGAL/Point_set_flow/internal/fitting/Neighbor_pairs.h>
 #include <CGAL/tags.h>
 
 #include <algorithm>

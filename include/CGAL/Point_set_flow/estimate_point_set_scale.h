@@ -5,8 +5,8 @@
 #include <CGAL/Point_set_flow/Point_set_scale.h>
 #include <CGAL/Point_set_flow/Tangent_plane_curvature.h>
 #include <CGAL/Point_set_flow/internal/order/Point_buffer.h>
-#include <CGAL/Point_set_flow/internal/caller/copy_in.h>
-#include <CGAL/Point_set_flow/internal/noise/find_scale.h>
+#include <CGAL/Point_set_flow/internal/entrance/copy_in.h>
+#include <CGAL/Point_set_flow/internal/noise/Scale_samples.h>
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/boost/graph/named_params_helper.h>
 

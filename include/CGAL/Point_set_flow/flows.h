@@ -3,7 +3,7 @@
 #define CGAL_POINT_SET_FLOW_FLOWS_H
 
 #include <CGAL/Point_set_flow/Diffusivity.h>
-#include <CGAL/Point_set_flow/Vector_types.h>
+#include <CGAL/Point_set_flow/Core_kernel.h>
 #include <CGAL/tags.h>
 
 namespace CGAL {

@@ -4,12 +4,12 @@
 
 #include <CGAL/Point_set_flow/Tangent_plane_curvature.h>
 #include <CGAL/Point_set_flow/flows.h>
-#include <CGAL/Point_set_flow/internal/caller/Options.h>
+#include <CGAL/Point_set_flow/internal/flow/Flow_parameters.h>
 #include <CGAL/Point_set_flow/internal/order/Point_buffer.h>
-#include <CGAL/Point_set_flow/internal/caller/check_size.h>
-#include <CGAL/Point_set_flow/internal/caller/copy_in.h>
-#include <CGAL/Point_set_flow/internal/caller/copy_out.h>
-#include <CGAL/Point_set_flow/internal/flow/run_pieces.h>
+#include <CGAL/Point_set_flow/internal/entrance/check_map_sizes.h>
+#include <CGAL/Point_set_flow/internal/entrance/copy_in.h>
+#include <CGAL/Point_set_flow/internal/exit/Map_writer.h>
+#include <CGAL/Point_set_flow/internal/flow/Block_runs.h>
 #include <CGAL/Point_set_flow/parameters.h>
 #include <CGAL/boost/graph/named_params_helper.h>
 #include <CGAL/property_map.h>

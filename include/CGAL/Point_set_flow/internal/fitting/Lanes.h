@@ -2,7 +2,7 @@
 #ifndef CGAL_POINT_SET_FLOW_INTERNAL_FITTING_LANES_H
 #define CGAL_POINT_SET_FLOW_INTERNAL_FITTING_LANES_H
 
-#include <CGAL/Point_set_flow/Vector_types.h>
+#include <CGAL/Point_set_flow/Core_kernel.h>
 
 #include <Eigen/Core>
 

@@ -4,12 +4,12 @@
 
 #include <CGAL/Point_set_flow/Diffusivity.h>
 #include <CGAL/Point_set_flow/internal/noise/Noise_map.h>
-#include <CGAL/Point_set_flow/internal/caller/Options.h>
-#include <CGAL/Point_set_flow/internal/neighbors/Piece.h>
-#include <CGAL/Point_set_flow/internal/flow/Surface_state.h>
+#include <CGAL/Point_set_flow/internal/flow/Flow_parameters.h>
+#include <CGAL/Point_set_flow/internal/neighbors/Block.h>
+#include <CGAL/Point_set_flow/internal/neighbors/Surface.h>
 #include <CGAL/Point_set_flow/internal/flow/model_traits.h>
-#include <CGAL/Point_set_flow/internal/fitting/prefilter.h>
-#include <CGAL/Point_set_flow/internal/fitting/tangent_planes.h>
+#include <CGAL/Point_set_flow/internal/flow/prefilter.h>
+#include <CGAL/Point_set_flow/internal/flow/tangent_planes.h>
 
 #include <algorithm>
 #include <cstddef>

@@ -2,11 +2,11 @@
 #ifndef CGAL_POINT_SET_FLOW_INTERNAL_FLOW_FLOW_STEP_H
 #define CGAL_POINT_SET_FLOW_INTERNAL_FLOW_FLOW_STEP_H
 
-#include <CGAL/Point_set_flow/Curvature_3.h>
+#include <CGAL/Point_set_flow/Curvature_defaults.h>
 #include <CGAL/Point_set_flow/Diffusivity.h>
 #include <CGAL/Point_set_flow/flows.h>
-#include <CGAL/Point_set_flow/internal/neighbors/Piece.h>
-#include <CGAL/Point_set_flow/internal/flow/Surface_state.h>
+#include <CGAL/Point_set_flow/internal/neighbors/Block.h>
+#include <CGAL/Point_set_flow/internal/neighbors/Surface.h>
 
 #include <cstddef>
 #include <vector>

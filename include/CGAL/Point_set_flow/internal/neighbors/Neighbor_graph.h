@@ -5,7 +5,7 @@
 #include <CGAL/Point_set_flow/Neighborhood_3.h>
 #include <CGAL/Point_set_flow/internal/parallel/Array.h>
 #include <CGAL/Point_set_flow/internal/neighbors/Group_search.h>
-#include <CGAL/Point_set_flow/internal/parallel/for_each_block.h>
+#include <CGAL/Point_set_flow/internal/parallel/Loops.h>
 
 #include <algorithm>
 #include <cmath>

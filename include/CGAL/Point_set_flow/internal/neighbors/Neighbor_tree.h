@@ -2,7 +2,7 @@
 #ifndef CGAL_POINT_SET_FLOW_INTERNAL_NEIGHBORS_NEIGHBOR_TREE_H
 #define CGAL_POINT_SET_FLOW_INTERNAL_NEIGHBORS_NEIGHBOR_TREE_H
 
-#include <CGAL/Point_set_flow/Vector_types.h>
+#include <CGAL/Point_set_flow/Core_kernel.h>
 #include <CGAL/Point_set_flow/internal/parallel/Array.h>
 #include <CGAL/Point_set_flow/internal/parallel/Progress.h>
 #include <CGAL/Kd_tree.h>

@@ -2,7 +2,7 @@
 #ifndef CGAL_POINT_SET_FLOW_INTERNAL_NOISE_NOISE_MAP_H
 #define CGAL_POINT_SET_FLOW_INTERNAL_NOISE_NOISE_MAP_H
 
-#include <CGAL/Point_set_flow/internal/noise/find_scale.h>
+#include <CGAL/Point_set_flow/internal/noise/Scale_samples.h>
 
 #include <algorithm>
 #include <cstddef>

@@ -2,9 +2,9 @@
 #ifndef CGAL_POINT_SET_FLOW_INTERNAL_ORDER_SPATIAL_ORDER_H
 #define CGAL_POINT_SET_FLOW_INTERNAL_ORDER_SPATIAL_ORDER_H
 
-#include <CGAL/Point_set_flow/Vector_types.h>
+#include <CGAL/Point_set_flow/Core_kernel.h>
 #include <CGAL/Point_set_flow/internal/parallel/Array.h>
-#include <CGAL/Point_set_flow/internal/parallel/for_each_block.h>
+#include <CGAL/Point_set_flow/internal/parallel/Loops.h>
 #include <CGAL/Point_set_flow/internal/parallel/sort_range.h>
 
 #include <algorithm>

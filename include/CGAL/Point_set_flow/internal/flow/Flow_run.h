@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#ifndef CGAL_POINT_SET_FLOW_INTERNAL_FLOW_RUN_FLOW_H
-#define CGAL_POINT_SET_FLOW_INTERNAL_FLOW_RUN_FLOW_H
+#ifndef CGAL_POINT_SET_FLOW_INTERNAL_FLOW_FLOW_RUN_H
+#define CGAL_POINT_SET_FLOW_INTERNAL_FLOW_FLOW_RUN_H
 
 #include <CGAL/Point_set_flow/Covariance_curvature.h>
 #include <CGAL/Point_set_flow/internal/flow/Flow_plan.h>
 #include <CGAL/Point_set_flow/internal/flow/flow_step.h>
-#include <CGAL/Point_set_flow/internal/noise/thin_parts.h>
+#include <CGAL/Point_set_flow/internal/noise/two_sheets.h>
 
 #include <algorithm>
 #include <cmath>
@@ -151,4 +151,4 @@ private:
 } // namespace Point_set_flow
 } // namespace CGAL
 
-#endif // CGAL_POINT_SET_FLOW_INTERNAL_FLOW_RUN_FLOW_H
+#endif // CGAL_POINT_SET_FLOW_INTERNAL_FLOW_FLOW_RUN_H

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#ifndef CGAL_POINT_SET_FLOW_INTERNAL_CALLER_COPY_IN_H
-#define CGAL_POINT_SET_FLOW_INTERNAL_CALLER_COPY_IN_H
+#ifndef CGAL_POINT_SET_FLOW_INTERNAL_ENTRANCE_COPY_IN_H
+#define CGAL_POINT_SET_FLOW_INTERNAL_ENTRANCE_COPY_IN_H
 
-#include <CGAL/Point_set_flow/Vector_types.h>
+#include <CGAL/Point_set_flow/Core_kernel.h>
 #include <CGAL/Point_set_flow/internal/parallel/Array.h>
-#include <CGAL/Point_set_flow/internal/caller/Options.h>
-#include <CGAL/Point_set_flow/internal/parallel/for_each_block.h>
+#include <CGAL/Point_set_flow/internal/flow/Flow_parameters.h>
+#include <CGAL/Point_set_flow/internal/parallel/Loops.h>
 #include <CGAL/number_utils.h>
 #include <CGAL/property_map.h>
 
@@ -111,4 +111,4 @@ inline void move_to_core(Array<Point_3>& points, const Frame& frame)
 } // namespace Point_set_flow
 } // namespace CGAL
 
-#endif // CGAL_POINT_SET_FLOW_INTERNAL_CALLER_COPY_IN_H
+#endif // CGAL_POINT_SET_FLOW_INTERNAL_ENTRANCE_COPY_IN_H

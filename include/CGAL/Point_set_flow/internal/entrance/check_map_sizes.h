@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#ifndef CGAL_POINT_SET_FLOW_INTERNAL_CALLER_CHECK_SIZE_H
-#define CGAL_POINT_SET_FLOW_INTERNAL_CALLER_CHECK_SIZE_H
+#ifndef CGAL_POINT_SET_FLOW_INTERNAL_ENTRANCE_CHECK_MAP_SIZES_H
+#define CGAL_POINT_SET_FLOW_INTERNAL_ENTRANCE_CHECK_MAP_SIZES_H
 
-#include <CGAL/Point_set_flow/internal/caller/Options.h>
+#include <CGAL/Point_set_flow/internal/flow/Flow_parameters.h>
 
 #include <cstddef>
 #include <string>
@@ -45,4 +45,4 @@ void check_size(const PointRange& points, const Map& map, const char* argument)
 } // namespace Point_set_flow
 } // namespace CGAL
 
-#endif // CGAL_POINT_SET_FLOW_INTERNAL_CALLER_CHECK_SIZE_H
+#endif // CGAL_POINT_SET_FLOW_INTERNAL_ENTRANCE_CHECK_MAP_SIZES_H

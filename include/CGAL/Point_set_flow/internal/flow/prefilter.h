@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#ifndef CGAL_POINT_SET_FLOW_INTERNAL_FITTING_PREFILTER_H
-#define CGAL_POINT_SET_FLOW_INTERNAL_FITTING_PREFILTER_H
+#ifndef CGAL_POINT_SET_FLOW_INTERNAL_FLOW_PREFILTER_H
+#define CGAL_POINT_SET_FLOW_INTERNAL_FLOW_PREFILTER_H
 
 #include <CGAL/Point_set_flow/internal/neighbors/Neighbor_graph.h>
 
@@ -37,4 +37,4 @@ void prefilter(const Array<Point_3>& points, const Neighbor_graph& graph, double
 } // namespace Point_set_flow
 } // namespace CGAL
 
-#endif // CGAL_POINT_SET_FLOW_INTERNAL_FITTING_PREFILTER_H
+#endif // CGAL_POINT_SET_FLOW_INTERNAL_FLOW_PREFILTER_H

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#ifndef CGAL_POINT_SET_FLOW_INTERNAL_NOISE_THIN_PARTS_H
-#define CGAL_POINT_SET_FLOW_INTERNAL_NOISE_THIN_PARTS_H
+#ifndef CGAL_POINT_SET_FLOW_INTERNAL_NOISE_TWO_SHEETS_H
+#define CGAL_POINT_SET_FLOW_INTERNAL_NOISE_TWO_SHEETS_H
 
 #include <CGAL/Point_set_flow/internal/fitting/Angle_weight.h>
-#include <CGAL/Point_set_flow/internal/fitting/Two_by_two.h>
+#include <CGAL/Point_set_flow/internal/fitting/Neighbor_pairs.h>
 #include <CGAL/Point_set_flow/internal/neighbors/Neighbor_graph.h>
-#include <CGAL/Point_set_flow/internal/flow/Surface_state.h>
-#include <CGAL/Point_set_flow/internal/noise/find_scale.h>
+#include <CGAL/Point_set_flow/internal/neighbors/Surface.h>
+#include <CGAL/Point_set_flow/internal/noise/Scale_samples.h>
 
 #include <algorithm>
 #include <cmath>
@@ -148,4 +148,4 @@ Array<std::uint32_t> find_thin_parts(const Array<Point_3>& points, const Neighbo
 } // namespace Point_set_flow
 } // namespace CGAL
 
-#endif // CGAL_POINT_SET_FLOW_INTERNAL_NOISE_THIN_PARTS_H
+#endif // CGAL_POINT_SET_FLOW_INTERNAL_NOISE_TWO_SHEETS_H

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#ifndef CGAL_POINT_SET_FLOW_INTERNAL_CALLER_OPTIONS_H
-#define CGAL_POINT_SET_FLOW_INTERNAL_CALLER_OPTIONS_H
+#ifndef CGAL_POINT_SET_FLOW_INTERNAL_FLOW_FLOW_PARAMETERS_H
+#define CGAL_POINT_SET_FLOW_INTERNAL_FLOW_FLOW_PARAMETERS_H
 
 #include <cmath>
 #include <cstddef>
@@ -84,4 +84,4 @@ unsigned int to_count(const char* argument, Number value)
 } // namespace Point_set_flow
 } // namespace CGAL
 
-#endif // CGAL_POINT_SET_FLOW_INTERNAL_CALLER_OPTIONS_H
+#endif // CGAL_POINT_SET_FLOW_INTERNAL_FLOW_FLOW_PARAMETERS_H

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#ifndef CGAL_POINT_SET_FLOW_INTERNAL_FLOW_SURFACE_STATE_H
-#define CGAL_POINT_SET_FLOW_INTERNAL_FLOW_SURFACE_STATE_H
+#ifndef CGAL_POINT_SET_FLOW_INTERNAL_NEIGHBORS_SURFACE_H
+#define CGAL_POINT_SET_FLOW_INTERNAL_NEIGHBORS_SURFACE_H
 
 #include <CGAL/Point_set_flow/Neighborhood_3.h>
 #include <CGAL/Point_set_flow/internal/parallel/Array.h>
@@ -34,4 +34,4 @@ struct Surface_state {
 } // namespace Point_set_flow
 } // namespace CGAL
 
-#endif // CGAL_POINT_SET_FLOW_INTERNAL_FLOW_SURFACE_STATE_H
+#endif // CGAL_POINT_SET_FLOW_INTERNAL_NEIGHBORS_SURFACE_H

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#ifndef CGAL_POINT_SET_FLOW_INTERNAL_FLOW_RUN_PIECES_H
-#define CGAL_POINT_SET_FLOW_INTERNAL_FLOW_RUN_PIECES_H
+#ifndef CGAL_POINT_SET_FLOW_INTERNAL_FLOW_BLOCK_RUNS_H
+#define CGAL_POINT_SET_FLOW_INTERNAL_FLOW_BLOCK_RUNS_H
 
-#include <CGAL/Point_set_flow/internal/flow/run_flow.h>
+#include <CGAL/Point_set_flow/internal/flow/Flow_run.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -95,4 +95,4 @@ Flow_result run_pieces(ConcurrencyTag tag, Point_buffer& buffer, const Flow& flo
 } // namespace Point_set_flow
 } // namespace CGAL
 
-#endif // CGAL_POINT_SET_FLOW_INTERNAL_FLOW_RUN_PIECES_H
+#endif // CGAL_POINT_SET_FLOW_INTERNAL_FLOW_BLOCK_RUNS_H

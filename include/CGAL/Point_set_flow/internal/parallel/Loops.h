@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#ifndef CGAL_POINT_SET_FLOW_INTERNAL_PARALLEL_FOR_EACH_BLOCK_H
-#define CGAL_POINT_SET_FLOW_INTERNAL_PARALLEL_FOR_EACH_BLOCK_H
+#ifndef CGAL_POINT_SET_FLOW_INTERNAL_PARALLEL_LOOPS_H
+#define CGAL_POINT_SET_FLOW_INTERNAL_PARALLEL_LOOPS_H
 
 #include <CGAL/Point_set_flow/internal/parallel/Progress.h>
 #include <CGAL/tags.h>
@@ -88,4 +88,4 @@ auto in_isolation(const Function& function)
 } // namespace Point_set_flow
 } // namespace CGAL
 
-#endif // CGAL_POINT_SET_FLOW_INTERNAL_PARALLEL_FOR_EACH_BLOCK_H
+#endif // CGAL_POINT_SET_FLOW_INTERNAL_PARALLEL_LOOPS_H

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#ifndef CGAL_POINT_SET_FLOW_INTERNAL_FITTING_TWO_BY_TWO_H
-#define CGAL_POINT_SET_FLOW_INTERNAL_FITTING_TWO_BY_TWO_H
+#ifndef CGAL_POINT_SET_FLOW_INTERNAL_FITTING_NEIGHBOR_PAIRS_H
+#define CGAL_POINT_SET_FLOW_INTERNAL_FITTING_NEIGHBOR_PAIRS_H
 
 #include <CGAL/Point_set_flow/Neighborhood_3.h>
 #include <CGAL/Point_set_flow/internal/fitting/Lanes.h>
@@ -56,4 +56,4 @@ public:
 } // namespace Point_set_flow
 } // namespace CGAL
 
-#endif // CGAL_POINT_SET_FLOW_INTERNAL_FITTING_TWO_BY_TWO_H
+#endif // CGAL_POINT_SET_FLOW_INTERNAL_FITTING_NEIGHBOR_PAIRS_H

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#ifndef CGAL_POINT_SET_FLOW_CURVATURE_3_H
-#define CGAL_POINT_SET_FLOW_CURVATURE_3_H
+#ifndef CGAL_POINT_SET_FLOW_CURVATURE_DEFAULTS_H
+#define CGAL_POINT_SET_FLOW_CURVATURE_DEFAULTS_H
 
-#include <CGAL/Point_set_flow/Vector_types.h>
+#include <CGAL/Point_set_flow/Core_kernel.h>
 
 namespace CGAL {
 namespace Point_set_flow {
@@ -41,4 +41,4 @@ struct Curvature_defaults {
 } // namespace Point_set_flow
 } // namespace CGAL
 
-#endif // CGAL_POINT_SET_FLOW_CURVATURE_3_H
+#endif // CGAL_POINT_SET_FLOW_CURVATURE_DEFAULTS_H

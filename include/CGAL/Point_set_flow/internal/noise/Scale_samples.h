@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#ifndef CGAL_POINT_SET_FLOW_INTERNAL_NOISE_FIND_SCALE_H
-#define CGAL_POINT_SET_FLOW_INTERNAL_NOISE_FIND_SCALE_H
+#ifndef CGAL_POINT_SET_FLOW_INTERNAL_NOISE_SCALE_SAMPLES_H
+#define CGAL_POINT_SET_FLOW_INTERNAL_NOISE_SCALE_SAMPLES_H
 
-#include <CGAL/Point_set_flow/Curvature_3.h>
+#include <CGAL/Point_set_flow/Curvature_defaults.h>
 #include <CGAL/Point_set_flow/internal/fitting/Covariance_3.h>
 #include <CGAL/Point_set_flow/internal/neighbors/Neighbor_tree.h>
-#include <CGAL/Point_set_flow/internal/parallel/for_each_block.h>
+#include <CGAL/Point_set_flow/internal/parallel/Loops.h>
 #include <CGAL/Point_set_flow/internal/parallel/sort_range.h>
 #include <CGAL/number_type_config.h>
 
@@ -160,4 +160,4 @@ inline unsigned int neighborhood_size(const Curvature_defaults& defaults, double
 } // namespace Point_set_flow
 } // namespace CGAL
 
-#endif // CGAL_POINT_SET_FLOW_INTERNAL_NOISE_FIND_SCALE_H
+#endif // CGAL_POINT_SET_FLOW_INTERNAL_NOISE_SCALE_SAMPLES_H

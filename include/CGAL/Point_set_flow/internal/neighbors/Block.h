@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#ifndef CGAL_POINT_SET_FLOW_INTERNAL_NEIGHBORS_PIECE_H
-#define CGAL_POINT_SET_FLOW_INTERNAL_NEIGHBORS_PIECE_H
+#ifndef CGAL_POINT_SET_FLOW_INTERNAL_NEIGHBORS_BLOCK_H
+#define CGAL_POINT_SET_FLOW_INTERNAL_NEIGHBORS_BLOCK_H
 
 #include <CGAL/Point_set_flow/internal/neighbors/Neighbor_graph.h>
 #include <CGAL/Point_set_flow/internal/order/Point_buffer.h>
@@ -121,4 +121,4 @@ Piece take_all(ConcurrencyTag tag, Point_buffer& buffer, const Neighbor_tree& tr
 } // namespace Point_set_flow
 } // namespace CGAL
 
-#endif // CGAL_POINT_SET_FLOW_INTERNAL_NEIGHBORS_PIECE_H
+#endif // CGAL_POINT_SET_FLOW_INTERNAL_NEIGHBORS_BLOCK_H

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#ifndef CGAL_POINT_SET_FLOW_INTERNAL_CALLER_COPY_OUT_H
-#define CGAL_POINT_SET_FLOW_INTERNAL_CALLER_COPY_OUT_H
+#ifndef CGAL_POINT_SET_FLOW_INTERNAL_EXIT_MAP_WRITER_H
+#define CGAL_POINT_SET_FLOW_INTERNAL_EXIT_MAP_WRITER_H
 
 #include <cstddef>
 #include <utility>
@@ -62,4 +62,4 @@ public:
 } // namespace Point_set_flow
 } // namespace CGAL
 
-#endif // CGAL_POINT_SET_FLOW_INTERNAL_CALLER_COPY_OUT_H
+#endif // CGAL_POINT_SET_FLOW_INTERNAL_EXIT_MAP_WRITER_H

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#ifndef CGAL_POINT_SET_FLOW_INTERNAL_FITTING_TANGENT_PLANES_H
-#define CGAL_POINT_SET_FLOW_INTERNAL_FITTING_TANGENT_PLANES_H
+#ifndef CGAL_POINT_SET_FLOW_INTERNAL_FLOW_TANGENT_PLANES_H
+#define CGAL_POINT_SET_FLOW_INTERNAL_FLOW_TANGENT_PLANES_H
 
-#include <CGAL/Point_set_flow/Curvature_3.h>
+#include <CGAL/Point_set_flow/Curvature_defaults.h>
 #include <CGAL/Point_set_flow/internal/neighbors/Neighbor_graph.h>
-#include <CGAL/Point_set_flow/internal/flow/Surface_state.h>
+#include <CGAL/Point_set_flow/internal/neighbors/Surface.h>
 
 #include <cstddef>
 #include <vector>
@@ -41,4 +41,4 @@ void find_tangent_planes(const Array<Point_3>& surface, const Neighbor_graph& gr
 } // namespace Point_set_flow
 } // namespace CGAL
 
-#endif // CGAL_POINT_SET_FLOW_INTERNAL_FITTING_TANGENT_PLANES_H
+#endif // CGAL_POINT_SET_FLOW_INTERNAL_FLOW_TANGENT_PLANES_H
