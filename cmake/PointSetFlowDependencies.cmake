@@ -21,7 +21,10 @@ macro(point_set_flow_missing message)
 endmacro()
 
 set(CGAL_DO_NOT_WARN_ABOUT_CMAKE_BUILD_TYPE TRUE)
+# CGAL 6.0 does not say whether Boost is found by CMake or by itself, of which CMake 3.30 and newer warn
+set(CMAKE_POLICY_DEFAULT_CMP0167 NEW)
 find_package(CGAL 5.5 QUIET)
+unset(CMAKE_POLICY_DEFAULT_CMP0167)
 if(NOT CGAL_FOUND)
   point_set_flow_missing("CGAL 5.5 or newer was not found (Debian, Ubuntu: libcgal-dev)")
 endif()
