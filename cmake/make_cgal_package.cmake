@@ -238,7 +238,7 @@ string(REGEX MATCH "CGAL_add_named_parameter\\(neighbor_radius_t[^\n]*\n([^\n]+\
 patch_list(STL_Extension CGAL/${list} "${after}" "${new_lines}")
 
 file(READ ${CGAL_INCLUDE_DIR}/CGAL/license/gpl_package_list.txt text)
-string(REGEX MATCH "[^\n]*Arrangement_on_surface_2 [^\n]*\n" after "${text}")
+string(REGEX MATCH "[^\n]*Point_set_3 [^\n]*\n" after "${text}")
 patch_list(Installation CGAL/license/gpl_package_list.txt "${after}" "Point_set_flow Point Set Flow\n")
 
 list(LENGTH headers headers)
