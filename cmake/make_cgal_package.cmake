@@ -141,8 +141,9 @@ execute_process(COMMAND sed -f ${root}/doc/markdown.sed ${OUT}/manual.md COMMAND
                 OUTPUT_VARIABLE MANUAL COMMAND_ERROR_IS_FATAL ANY)
 file(REMOVE ${OUT}/manual.md)
 string(REGEX REPLACE "\n\n\n+" "\n\n" MANUAL "${MANUAL}")
-if(MANUAL MATCHES "[^\n]*(\\]\\([^h][^\n]*|\\*/[^\n]*|\n##[^\n]*|PkgPointSetFlowParameters[^\n]*)")
-  message(FATAL_ERROR "make_cgal_package.cmake: doc/manual.md has what is not inside of CGAL, and must be between \
+# left: a link to a file or a place in one, the end of the comment, a section without a name, a group of ours
+if(MANUAL MATCHES "[^\n]*(\\]\\([a-zA-Z_./-]*(\\.[a-z]+\\)|#)|\\*/|\n##+ |PkgPointSetFlowParameters)[^\n]*")
+  message(FATAL_ERROR "make_cgal_package.cmake: doc/manual.md has what is not inside of CGAL and must be between \
 <!-- only here --> and <!-- end -->: ${CMAKE_MATCH_0}")
 endif()
 fill_template(manual.txt.in doc/Point_set_flow/Point_set_flow.txt)
