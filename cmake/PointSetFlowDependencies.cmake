@@ -21,12 +21,15 @@ macro(point_set_flow_missing message)
 endmacro()
 
 set(CGAL_DO_NOT_WARN_ABOUT_CMAKE_BUILD_TYPE TRUE)
+# CGAL 6.0 does not say whether Boost is found by CMake or by itself, of which CMake 3.30 and newer warn
+set(CMAKE_POLICY_DEFAULT_CMP0167 NEW)
 find_package(CGAL 5.5 QUIET)
+unset(CMAKE_POLICY_DEFAULT_CMP0167)
 if(NOT CGAL_FOUND)
   point_set_flow_missing("CGAL 5.5 or newer was not found (Debian, Ubuntu: libcgal-dev)")
 endif()
-find_package(Eigen3 3.3 QUIET NO_MODULE)
-if(NOT TARGET Eigen3::Eigen)
+find_package(Eigen3 QUIET NO_MODULE) # Eigen 5 refuses a request for 3.3
+if(NOT TARGET Eigen3::Eigen OR Eigen3_VERSION VERSION_LESS 3.3)
   point_set_flow_missing("Eigen 3.3 or newer was not found (Debian, Ubuntu: libeigen3-dev)")
 endif()
 set(POINT_SET_FLOW_DEPENDENCIES CGAL::CGAL Eigen3::Eigen)

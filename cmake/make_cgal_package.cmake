@@ -1,14 +1,14 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-# Makes of this project the package Point_set_flow as it would stand in CGAL's own tree, and a patch
-# for the lists of CGAL that name it:
+# Writes the package Point_set_flow as it would be in CGAL's own tree, and what the lists of CGAL must say of it:
 #   cmake -D OUT=directory [-D CGAL_INCLUDE_DIR=/usr/include] [-D NAME=value ...] -P cmake/make_cgal_package.cmake
-# Copy what is in OUT over a clone of CGAL, and there: patch -p1 < point_set_flow.patch
-# See doc/cgal_submission.md.
+# Code is copied as it is, with CGAL's heading in place of our first line. What is different inside of CGAL is
+# made from the templates in cmake/cgal_package. See doc/cgal_submission.md.
+cmake_minimum_required(VERSION 3.22)
 
 # What only those who submit can say
-set(COPYRIGHT "The authors of Point_set_flow" CACHE STRING "holder of the copyright")
-set(AUTHORS "The authors of Point_set_flow" CACHE STRING "")
-set(MAINTAINER "The authors of Point_set_flow" CACHE STRING "maintainer with an address")
+set(COPYRIGHT "The authors of Point Set Flow" CACHE STRING "holder of the copyright")
+set(AUTHORS "The authors of Point Set Flow" CACHE STRING "")
+set(MAINTAINER "The authors of Point Set Flow" CACHE STRING "maintainer with an address")
 set(YEAR 2026 CACHE STRING "of the copyright")
 set(SINCE 6.3 CACHE STRING "the release of CGAL that will be the first with it")
 set(CGAL_INCLUDE_DIR /usr/include CACHE STRING "where CGAL is whose lists are patched")
@@ -19,9 +19,8 @@ get_filename_component(OUT ${OUT} ABSOLUTE)
 get_filename_component(root ${CMAKE_CURRENT_LIST_DIR} DIRECTORY)
 set(templates ${CMAKE_CURRENT_LIST_DIR}/cgal_package)
 set(package ${OUT}/Point_set_flow)
-file(REMOVE_RECURSE ${package} ${OUT}/Installation ${OUT}/point_set_flow.patch)
+file(REMOVE_RECURSE ${package} ${OUT}/lists ${OUT}/point_set_flow.patch)
 
-set(spdx "// SPDX-License-Identifier: GPL-3.0-or-later\n")
 set(cgal_heading "// Copyright (c) ${YEAR} ${COPYRIGHT}.
 // All rights reserved.
 //
@@ -35,39 +34,47 @@ set(cgal_heading "// Copyright (c) ${YEAR} ${COPYRIGHT}.
 
 ")
 
-# Replaces what has to be there: who changes it there is told that it has to be changed here
-function(replace_once variable what by)
-  string(FIND "${${variable}}" "${what}" found)
-  if(found EQUAL -1)
-    message(FATAL_ERROR "make_cgal_package.cmake: there is no \"${what}\" any more")
+# The text of a file after its first line, which is our license
+function(read_without_license file variable)
+  file(READ ${file} text)
+  if(NOT text MATCHES "^[^\n]*SPDX-License-Identifier: GPL-3.0-or-later\n")
+    message(FATAL_ERROR "make_cgal_package.cmake: the first line of ${file} is not its license")
   endif()
-  string(REPLACE "${what}" "${by}" replaced "${${variable}}")
-  set(${variable} "${replaced}" PARENT_SCOPE)
+  string(LENGTH "${CMAKE_MATCH_0}" begin)
+  string(SUBSTRING "${text}" ${begin} -1 text)
+  set(${variable} "${text}" PARENT_SCOPE)
 endfunction()
 
-# A source file with CGAL's heading and, if it is a header, the check of its license
 function(copy_source from to)
-  file(READ ${root}/${from} text)
-  replace_once(text "${spdx}" "${cgal_heading}")
-  if(from MATCHES "^include/")
-    string(REGEX REPLACE "(#define CGAL_[A-Z0-9_]+_H\n)" "\\1\n#include <CGAL/license/Point_set_flow.h>\n" text "${text}")
-  endif()
-  # named parameters are in CGAL's own list
-  string(REPLACE "#include <CGAL/Point_set_flow/parameters.h>" "#include <CGAL/Named_function_parameters.h>" text "${text}")
-  # CGAL's tests link with no library of Boost
-  string(REPLACE "#include <boost/test/unit_test.hpp>" "#include <boost/test/included/unit_test.hpp>" text "${text}")
-  if(from STREQUAL "include/CGAL/balanced_flow_smooth_point_set.h")
-    replace_once(text " Those of this package, from `flow` on, must come first." "")
-  endif()
-  file(WRITE ${package}/${to} "${text}")
+  read_without_license(${root}/${from} text)
+  file(WRITE ${package}/${to} "${cgal_heading}${text}")
 endfunction()
 
-# A template, whose first line is our license
+# ARGN: what to begin with
 function(fill_template from to)
-  file(READ ${templates}/${from} text)
-  string(REGEX REPLACE "^[^\n]*SPDX[^\n]*\n" "" text "${text}")
+  read_without_license(${templates}/${from} text)
   string(CONFIGURE "${text}" text @ONLY)
-  file(WRITE ${package}/${to} "${text}")
+  file(WRITE ${package}/${to} "${ARGN}${text}")
+endfunction()
+
+# Texts mark what does not hold inside of CGAL's tree by <!-- only here --> and <!-- end -->
+function(drop_only_here variable)
+  set(text "${${variable}}")
+  string(FIND "${text}" "<!-- only here -->" begin)
+  while(NOT begin EQUAL -1)
+    string(SUBSTRING "${text}" 0 ${begin} before)
+    string(SUBSTRING "${text}" ${begin} -1 text)
+    string(FIND "${text}" "<!-- end -->" end)
+    if(end EQUAL -1)
+      message(FATAL_ERROR "make_cgal_package.cmake: <!-- only here --> without <!-- end -->: ${text}")
+    endif()
+    math(EXPR end "${end} + 12")
+    string(SUBSTRING "${text}" ${end} -1 text)
+    string(APPEND before "${text}")
+    set(text "${before}")
+    string(FIND "${text}" "<!-- only here -->" begin)
+  endwhile()
+  set(${variable} "${text}" PARENT_SCOPE)
 endfunction()
 
 function(find_sources variable)
@@ -78,14 +85,20 @@ endfunction()
 # ---- include, examples, test
 
 find_sources(headers ${root}/include/*.h)
-list(REMOVE_ITEM headers include/CGAL/Point_set_flow/parameters.h)
+# What CGAL has in lists: that of the licenses, of which it generates a header, and that of the named parameters
+list(REMOVE_ITEM headers include/CGAL/license/Point_set_flow.h include/CGAL/Point_set_flow/parameters.h)
 foreach(header IN LISTS headers)
   copy_source(${header} ${header})
 endforeach()
+fill_template(parameters.h.in include/CGAL/Point_set_flow/parameters.h "${cgal_heading}")
 
 function(write_programs KIND directory)
   list(TRANSFORM ARGN REPLACE "(.+)" "  \\1\n" OUTPUT_VARIABLE PROGRAMS)
   list(JOIN PROGRAMS "" PROGRAMS)
+  set(BOOST_TEST "")
+  if(KIND STREQUAL "Tests")
+    read_without_license(${templates}/find_boost_test.cmake BOOST_TEST)
+  endif()
   fill_template(CMakeLists.txt.in ${directory}/Point_set_flow/CMakeLists.txt)
 endfunction()
 
@@ -119,35 +132,40 @@ foreach(concept IN LISTS concepts)
   get_filename_component(name ${concept} NAME)
   copy_source(${concept} doc/Point_set_flow/Concepts/${name})
 endforeach()
-fill_template(Point_set_flow.txt doc/Point_set_flow/Point_set_flow.txt)
 
-# What is said of the package, but for what is different inside of CGAL
-file(READ ${root}/doc/PackageDescription.txt text)
-replace_once(text "// SPDX-License-Identifier: GPL-3.0-or-later\n" "")
-function(replace_command command by)
-  if(NOT text MATCHES "\n\\\\${command}{[^\n]*}\n")
-    message(FATAL_ERROR "make_cgal_package.cmake: there is no line \\${command} in PackageDescription.txt any more")
-  endif()
-  string(REGEX REPLACE "\n\\\\${command}{[^\n]*}\n" "\n\\\\${command}{${by}}\n" text "${text}")
-  set(text "${text}" PARENT_SCOPE)
-endfunction()
-replace_command(cgalPkgAuthors "${AUTHORS}")
-replace_command(cgalPkgManuals "Chapter_Point_Set_Flow_Smoothing,PkgPointSetFlowRef")
-replace_command(cgalPkgSince "${SINCE}")
-replace_command(cgalPkgDependsOn "\\\\ref PkgSpatialSearchingD")
-replace_command(cgalPkgBib "cgal:bfs")
-replace_command(cgalPkgLicense "\\\\ref licensesGPL \"GPL\"")
-replace_once(text "{Balanced Flow Smoothing,PkgPointSetFlowRef}" "{Balanced Flow Smoothing,PkgPointSetFlow}\n\\cgalPkgPicture{point_set_flow.png}")
-replace_once(text "/// \\defgroup PkgPointSetFlowParameters Named Parameters\n/// \\ingroup PkgPointSetFlowRef\n" "")
-replace_once(text "\\cgalCRPSection{Named Parameters}\n- \\ref PkgPointSetFlowParameters \"those of this package\"\n\n" "")
-string(REGEX REPLACE "\n/// .namespace CGAL(::parameters|::Scale_space_reconstruction_3)?\n///[^\n]*\n" "" text "${text}") # CGAL has them
+# The user manual is doc/manual.md, in CGAL's commands and without what is only said outside
+file(READ ${root}/doc/manual.md text)
+drop_only_here(text)
+file(WRITE ${OUT}/manual.md "${text}")
+execute_process(COMMAND sed -f ${root}/doc/markdown.sed ${OUT}/manual.md COMMAND sed -f ${templates}/manual.sed
+                OUTPUT_VARIABLE MANUAL COMMAND_ERROR_IS_FATAL ANY)
+file(REMOVE ${OUT}/manual.md)
+string(REGEX REPLACE "\n\n\n+" "\n\n" MANUAL "${MANUAL}")
+# left: a link to a file or a place in one, the end of the comment, a section without a name, a group of ours
+if(MANUAL MATCHES "[^\n]*(\\]\\([a-zA-Z_./-]*(\\.[a-z]+\\)|#)|\\*/|\n##+ |PkgPointSetFlowParameters)[^\n]*")
+  message(FATAL_ERROR "make_cgal_package.cmake: doc/manual.md has what is not inside of CGAL and must be between \
+<!-- only here --> and <!-- end -->: ${CMAKE_MATCH_0}")
+endif()
+fill_template(manual.txt.in doc/Point_set_flow/Point_set_flow.txt)
+
+set(PACKAGE_NAME PkgPointSetFlow)
+set(PACKAGE_PICTURE "\\cgalPkgPicture{point_set_flow.png}\n")
+set(PACKAGE_AUTHORS "${AUTHORS}")
+set(USER_MANUAL Chapter_Point_Set_Flow)
+set(PACKAGE_SINCE "\\cgal ${SINCE}")
+set(PACKAGE_DEPENDS_ON "\\ref PkgSpatialSearchingD")
+set(PACKAGE_BIB "cgal:psf")
+set(PACKAGE_LICENSE "\\ref licensesGPL \"GPL\"")
+read_without_license(${root}/doc/PackageDescription.txt.in text)
+drop_only_here(text)
+string(CONFIGURE "${text}" text @ONLY)
 file(WRITE ${package}/doc/Point_set_flow/PackageDescription.txt "${text}")
 file(COPY_FILE ${root}/doc/bibliography.bib ${OUT}/cgal_manual.bib.add)
 file(MAKE_DIRECTORY ${package}/doc/Point_set_flow/fig)
 file(COPY_FILE ${root}/doc/fig/pipelines_surfaces.png ${package}/doc/Point_set_flow/fig/point_set_flow.png)
 file(WRITE ${package}/doc/Point_set_flow/Doxyfile.in "@INCLUDE = \${CGAL_DOC_PACKAGE_DEFAULTS}
 
-PROJECT_NAME = \"CGAL \${CGAL_DOC_VERSION} - Balanced Flow Smoothing\"
+PROJECT_NAME = \"CGAL \${CGAL_DOC_VERSION} - Point Set Flow\"
 EXTRACT_ALL = NO
 HIDE_UNDOC_CLASSES = YES
 HIDE_UNDOC_MEMBERS = YES
@@ -170,38 +188,31 @@ file(WRITE ${package}/doc/Point_set_flow/examples.txt "/*!\n${listed}*/\n")
 
 # ---- package_info
 
-set(summary "It takes the noise off 3D point sets by the dynamic balanced flow of Xiao, Miao, Liu and Peng.\n")
 file(WRITE ${package}/package_info/Point_set_flow/copyright "${COPYRIGHT}\n")
 file(WRITE ${package}/package_info/Point_set_flow/license.txt "GPL (v3 or later)\n")
 file(WRITE ${package}/package_info/Point_set_flow/maintainer "${MAINTAINER}\n")
-file(WRITE ${package}/package_info/Point_set_flow/description.txt "Balanced Flow Smoothing: smoothing of 3D point sets\n")
+file(WRITE ${package}/package_info/Point_set_flow/description.txt "Point Set Flow: smoothing of 3D point sets\n")
 file(WRITE ${package}/package_info/Point_set_flow/long_description.txt
-"This package takes the noise off 3D point sets by the dynamic balanced flow of Xiao, Miao, Liu and
-Peng. It keeps sharp features, hardly shrinks what is curved, needs no normals, and finds the noise,
-the neighborhoods and the thin parts in the data.
+"This package denoises 3D point sets by the dynamic balanced flow of Xiao, Miao, Liu and Peng. It preserves
+sharp features, hardly shrinks curved surfaces, needs no normals, and estimates the noise, the neighborhoods
+and the thin parts from the data.
 ")
 fill_template(dependencies.txt package_info/Point_set_flow/dependencies)
 
-# ---- what CGAL generates or lists
+# ---- the lists of CGAL
 
-# CGAL's own generator makes the check of the license for each line of its list; it differs from
-# that of another package by the names only
-file(READ ${CGAL_INCLUDE_DIR}/CGAL/license/Point_set_processing_3.h text)
-replace_once(text "POINT_SET_PROCESSING_3" "BALANCED_FLOW")
-replace_once(text "Point_set_processing_3" "Point_set_flow")
-replace_once(text "Point Set Processing" "Balanced Flow Smoothing")
-string(REGEX REPLACE "\\$(URL|Id): [^\n]*\\$" "$\\1$" text "${text}")
-file(WRITE ${OUT}/Installation/include/CGAL/license/Point_set_flow.h "${text}")
-
-# The patch for a file of CGAL: `after` is the line that the new lines follow
+# Writes the list of CGAL with new lines after the line `after`, and appends what changes to the patch
 function(patch_list cgal_package file after new_lines)
   file(READ ${CGAL_INCLUDE_DIR}/${file} text)
+  string(FIND "${text}" "${after}" found)
+  if("${after}" STREQUAL "" OR found EQUAL -1)
+    message(FATAL_ERROR "make_cgal_package.cmake: there is no line in ${file} any more to insert after")
+  endif()
+  string(REPLACE "${after}" "${after}${new_lines}" text "${text}")
+  file(WRITE ${OUT}/lists/${file} "${text}")
   set(path ${cgal_package}/include/${file})
-  file(WRITE ${OUT}/patched/a/${path} "${text}")
-  replace_once(text "${after}" "${after}${new_lines}")
-  file(WRITE ${OUT}/patched/b/${path} "${text}")
-  execute_process(COMMAND diff -u a/${path} b/${path} --label a/${path} --label b/${path}
-                  WORKING_DIRECTORY ${OUT}/patched OUTPUT_VARIABLE patch RESULT_VARIABLE result)
+  execute_process(COMMAND diff -u ${CGAL_INCLUDE_DIR}/${file} ${OUT}/lists/${file} --label a/${path} --label b/${path}
+                  OUTPUT_VARIABLE patch RESULT_VARIABLE result)
   if(NOT result EQUAL 1)
     message(FATAL_ERROR "make_cgal_package.cmake: diff of ${file} failed: ${result}")
   endif()
@@ -210,6 +221,9 @@ endfunction()
 
 file(READ ${root}/include/CGAL/Point_set_flow/parameters.h text)
 string(REGEX MATCHALL "DEFINE\\([a-z_]+\\)" names "${text}")
+if(NOT names)
+  message(FATAL_ERROR "make_cgal_package.cmake: no DEFINE(name) in parameters.h any more")
+endif()
 set(list STL_Extension/internal/parameters_interface.h)
 file(READ ${CGAL_INCLUDE_DIR}/CGAL/${list} cgal_list)
 set(new_lines "\n// List of named parameters used in Point_set_flow\n")
@@ -225,9 +239,8 @@ string(REGEX MATCH "CGAL_add_named_parameter\\(neighbor_radius_t[^\n]*\n([^\n]+\
 patch_list(STL_Extension CGAL/${list} "${after}" "${new_lines}")
 
 file(READ ${CGAL_INCLUDE_DIR}/CGAL/license/gpl_package_list.txt text)
-string(REGEX MATCH "[^\n]*Arrangement_on_surface_2 [^\n]*\n" after "${text}")
-patch_list(Installation CGAL/license/gpl_package_list.txt "${after}" "Point_set_flow Balanced Flow Smoothing\n")
-file(REMOVE_RECURSE ${OUT}/patched)
+string(REGEX MATCH "[^\n]*Point_set_3 [^\n]*\n" after "${text}")
+patch_list(Installation CGAL/license/gpl_package_list.txt "${after}" "Point_set_flow Point Set Flow\n")
 
 list(LENGTH headers headers)
 list(LENGTH examples examples)

@@ -2,6 +2,9 @@
 # From Markdown that any viewer shows to what all versions of Doxygen take.
 # a table of contents below the title
 1a [TOC]
+# marks of what CGAL's own manual would not say; Doxygen drops the spaces around comments
+s/<!-- only here -->//g
+s/<!-- end -->//g
 # equations
 /^```math$/,/^```$/ { s/^```math$/\\f[/; s/^```$/\\f]/ }
 s/\$`\([^`]*\)`\$/\\f$\1\\f$/g

@@ -19,7 +19,7 @@ $programs/balanced_flow_smooth/balanced-flow-smooth "$scan" build/scan/smoothed.
 $programs/reconstruction_example "$scan" build/scan/before.off --raw
 $programs/reconstruction_example "$scan" build/scan/after.off
 for which in before after; do
-  xvfb-run -a f3d build/scan/$which.off --output build/scan/$which.png --quiet --resolution 1000,700 \
+  xvfb-run -a f3d build/scan/$which.off --output build/scan/$which.png --resolution 1000,700 \
     --camera-view-angle 12 --up +Z --color 0.75,0.72,0.66
 done
 montage -font DejaVu-Sans -pointsize 28 -label 'raw scan' build/scan/before.png -label 'smoothed' build/scan/after.png \

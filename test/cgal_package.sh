@@ -1,7 +1,7 @@
 #!/bin/sh
 # SPDX-License-Identifier: GPL-3.0-or-later
-# Makes the package that can be submitted to CGAL, puts it into the headers of the newest CGAL that
-# Debian has, with the patch, and builds and runs its programs there. Nothing is installed.
+# Makes the package that can be submitted to CGAL, puts it and the changed lists of CGAL into the headers of the
+# newest CGAL that Debian has, and builds and runs its programs there. Nothing is installed.
 #   cgal_package.sh work_directory [program ...]     (all programs if none is given)
 # Ends with 77 if that CGAL cannot be had, or is not of the release that $CGAL_RELEASE asks for.
 set -eu
@@ -37,8 +37,9 @@ cmake -D OUT="$work/package" -D CGAL_INCLUDE_DIR="$work/cgal.orig/usr/include" -
 # Into CGAL: packages of its tree have folders of their own, an installed CGAL has one for all
 cp -r "$work/cgal.orig" "$work/cgal"
 include=$work/cgal/usr/include
-cp -r "$work/package/Point_set_flow/include/CGAL" "$work/package/Installation/include/CGAL" "$include"
-patch --directory "$include" --strip 3 --fuzz 0 <"$work/package/point_set_flow.patch"
+cp -r "$work/package/Point_set_flow/include/CGAL" "$work/package/lists/CGAL" "$include"
+# CGAL's generator of these headers is in its repository only
+cp "$root/include/CGAL/license/Point_set_flow.h" "$include/CGAL/license"
 
 # Each header on its own; and the packages whose headers they include, which package_info lists
 flags="-std=c++17 -I $include -I /usr/include/eigen3 -D CGAL_EIGEN3_ENABLED"

@@ -3,22 +3,20 @@
 \ingroup PkgPointSetFlowConcepts
 \cgalConcept
 
-The concept `PointSetCurvature` describes an estimator of the normal and the curvature of a surface
-at a point with its neighbors.
+The concept `PointSetCurvature` describes an estimator of the tangent plane and the directional
+curvature of a surface at a point, given its neighbors.
 
 It is passed to `CGAL::balanced_flow_smooth_point_set()` with the named parameter `curvature`. It must
 be copyable, and with `CGAL::Parallel_tag` it is called from several threads at once.
 
-The points come in the unit of the data, moved to the origin. (Only where coordinates differ by
-less than \f$10^{-100}\f$ or more than \f$10^{100}\f$ they come scaled by a power of 2: lengths
-that are returned must scale with the points.)
+Every step of the flow calls it in the same order: first `tangent_plane()` for all points, and then
+`directional_curvature()` for all points, with the tangent plane of the point. In `tangent_plane()` the
+neighborhood has the normals of the previous step, and none in the first step; in
+`directional_curvature()` it has those of the current step.
 
-Each step of the flow first asks for the tangent planes of all points, and then for the curvatures.
-- If the nested type `Uses_normals` is `CGAL::Tag_true`, the tangent planes are those of the points
-  as they are, and the normals and the noise around the point are known. `tangent_plane()` sees the
-  normals of the step before, none in the first step; `operator()()` sees the new ones.
-- If it is `CGAL::Tag_false`, or missing, the tangent planes are those of the prefiltered points,
-  and only their variation is used, for the diffusivity.
+The coordinates are in the unit of the data, relative to an origin near the points. (Only if coordinates
+differ by less than \f$10^{-100}\f$ or more than \f$10^{100}\f$ they are scaled by a power of 2: returned
+lengths must scale with the points.)
 
 A static member function `defaults()` may return the parameters that suit the estimator.
 
@@ -29,15 +27,25 @@ A static member function `defaults()` may return the parameters that suit the es
 */
 class PointSetCurvature {
 public:
-  /// whether the estimator looks at normals and noise; optional
-  typedef unspecified_type Uses_normals;
+  /// Optional: `CGAL::Tag_true` if the estimator uses the normals of the neighbors and the noise. The
+  /// variation of its tangent planes must then be what the noise does not explain; it is used for the
+  /// diffusivity as it is. With `CGAL::Tag_false`, or if missing, the diffusivity of a flow with
+  /// `PointSetFlow::Uses_prefilter` uses the variation of the prefiltered surface.
+  typedef unspecified_type Uses_surface_estimate;
+
+  /// Optional: `CGAL::Tag_true` to declare that points are to stay in their neighborhoods. If the flow
+  /// declares it too, the function guarantees that no point moves farther than the distance of its
+  /// farthest neighbor. `CGAL::Tag_false` if missing.
+  typedef unspecified_type Stays_in_neighborhood;
 
   /// returns the parameters that suit the estimator; optional
   static CGAL::Point_set_flow::Curvature_defaults defaults();
 
-  /// returns the normal, the variation and the directional curvature
-  CGAL::Point_set_flow::Curvature_3 operator()(const CGAL::Point_set_flow::Neighborhood_3& neighborhood) const;
+  /// returns the unit normal, whose orientation is arbitrary, and the surface variation
+  CGAL::Point_set_flow::Tangent_plane_3
+  tangent_plane(const CGAL::Point_set_flow::Neighborhood_3& neighborhood) const;
 
-  /// returns the normal and the variation
-  CGAL::Point_set_flow::Tangent_plane_3 tangent_plane(const CGAL::Point_set_flow::Neighborhood_3& neighborhood) const;
+  /// returns the directional curvature, a length, signed along the normal of `plane`
+  double directional_curvature(const CGAL::Point_set_flow::Neighborhood_3& neighborhood,
+                               const CGAL::Point_set_flow::Tangent_plane_3& plane) const;
 };

@@ -12,7 +12,7 @@ trap 'rm -rf "$work"' EXIT
 draw() { # scan, then where the camera is and what it looks at
   for method in raw jet ours; do
     cp "$meshes/$1, advancing front, $method.off" "$work/mesh.off" # f3d takes no comma in a name
-    xvfb-run -a f3d "$work/mesh.off" --output "$work/$1-$method.png" --quiet --resolution 420,300 \
+    xvfb-run -a f3d "$work/mesh.off" --output "$work/$1-$method.png" --resolution 420,300 \
       --bg-color 1,1,1 --color 0.75,0.72,0.66 --camera-position="$2" --camera-focal-point="$3" \
       --camera-view-up=0,"$4" --camera-view-angle=30
     set -- "$@" -label "$1, $method" "$work/$1-$method.png"
