@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: GPL-3.0-or-later
 # Tests the program compare_smoothers from outside.
-#   compare_smoothers_test.sh <program> <directory of CGAL's sample data> <work directory>
-. "$(dirname "$0")/program_test.sh"
+#   tables.sh <program> <directory of CGAL's sample data> <work directory>
+. "$(dirname "$0")/../program_test.sh"
 
 # field file row column: a number of the CSV table by the names of its row and column
 field() {

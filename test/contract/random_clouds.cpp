@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What holds for any finite points and any valid parameters, tried on thousands of random cases. A
-// failure prints the seed of its case: test_properties --run_test=... -- SEED runs that one alone.
+// failure prints the seed of its case: test_random_clouds --run_test=... -- SEED runs that one alone.
 #define BOOST_TEST_MODULE properties
 #include <boost/test/unit_test.hpp>
 
