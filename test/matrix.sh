@@ -1,11 +1,11 @@
 #!/bin/sh
 # SPDX-License-Identifier: GPL-3.0-or-later
 # Compiles the headers with all compilers, releases of CGAL and options that they are made for, with all
-# warnings as errors, links and runs the program of test/consumer, and prints a table:
-# matrix.sh [WORK_DIR [properties]], where the last word also runs test_properties in each row.
+# warnings as errors, links and runs the program of test/packaging/consumer, and prints a table:
+# matrix.sh [WORK_DIR [properties]], where the last word also runs test_random_clouds in each row.
 # Other releases of CGAL come from Debian's suites trixie and sid, from the mirror of this machine;
 # they are unpacked below WORK_DIR and not installed. Takes a quarter of an hour, with
-# test_properties half an hour.
+# test_random_clouds half an hour.
 set -eu
 cd "$(dirname "$0")/.."
 work=${1:-build/matrix}
@@ -78,7 +78,7 @@ for suite in trixie sid; do unpack_cgal $suite; done
 rm -f "$work/failed"
 
 printf '| compiler | CGAL | Debug, TBB, run | Release, TBB | Debug | Release | -ffast-math is refused | no Eigen is refused |'
-[ -z "$properties" ] || printf ' test_properties |'
+[ -z "$properties" ] || printf ' test_random_clouds |'
 printf '\n|---|---|---|---|---|---|---|---|'
 [ -z "$properties" ] || printf -- '---|'
 echo
@@ -89,15 +89,15 @@ for suite in sid trixie installed; do
     printf '| %s %s | %s |' "$compiler" "$($compiler -dumpfullversion -dumpversion | head -n 1)" "$(cgal_version $suite)"
     # shellcheck disable=SC2046,SC2086
     {
-      set -- $common $warnings $(include_cgal $suite) test/consumer/main.cpp
-      result "$name-run" runs "$name" $compiler $tbb "$@" test/consumer/other.cpp
+      set -- $common $warnings $(include_cgal $suite) test/packaging/consumer/main.cpp
+      result "$name-run" runs "$name" $compiler $tbb "$@" test/packaging/consumer/other.cpp
       result "$name-release" $compiler -fsyntax-only $tbb -DNDEBUG -O2 "$@"
       result "$name-without" $compiler -fsyntax-only "$@"
       result "$name-release-without" $compiler -fsyntax-only -DNDEBUG -O2 "$@"
       result "$name-fast" refuses "must not be compiled with -ffast-math" $compiler -fsyntax-only -ffast-math "$@"
-      result "$name-eigen" refuses "needs Eigen" $compiler -fsyntax-only -std=c++17 -Iinclude test/consumer/main.cpp
+      result "$name-eigen" refuses "needs Eigen" $compiler -fsyntax-only -std=c++17 -Iinclude test/packaging/consumer/main.cpp
       [ -z "$properties" ] || result "$name-properties" runs "$name-properties" $compiler $tbb $common \
-        $(include_cgal $suite) -O1 -DBOOST_TEST_DYN_LINK test/test_properties.cpp -lboost_unit_test_framework
+        $(include_cgal $suite) -O1 -DBOOST_TEST_DYN_LINK -Itest/support test/contract/random_clouds.cpp -lboost_unit_test_framework
     }
     echo
   done

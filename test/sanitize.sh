@@ -7,7 +7,7 @@ cd "$(dirname "$0")/.."
 sh cmake/install_packages.sh g++ clang clang-tidy cppcheck valgrind make cmake binutils libcgal-dev libcgal-demo \
   libeigen3-dev libtbb-dev libboost-test-dev libboost-program-options-dev nlohmann-json3-dev
 
-tests=${TESTS:-core_tests} # only some of them: TESTS="test_errors test_robustness" sh test/sanitize.sh thread
+tests=${TESTS:-core_tests} # only some of them: TESTS="test_exceptions test_thread_safety" sh test/sanitize.sh thread
 
 build_and_test() { # name, flags
   cmake -S . -B "build/$1" -D CMAKE_BUILD_TYPE=Debug -D CMAKE_CXX_FLAGS_DEBUG="-O1 -g1 -D_GLIBCXX_ASSERTIONS $2" \
@@ -20,31 +20,31 @@ build_and_test() { # name, flags
 for tool in "${@:-all}"; do
   case $tool in address|all)
     # frame pointers: for the stacks of what was lost
-    export LSAN_OPTIONS="suppressions=$PWD/test/leak_sanitizer.supp"
+    export LSAN_OPTIONS="suppressions=$PWD/test/support/leak_sanitizer.supp"
     build_and_test sanitize-address "-fno-omit-frame-pointer -fsanitize=address,undefined,float-cast-overflow -fno-sanitize-recover=all" ;;
   esac
   case $tool in thread|all)
     # Debian's TBB is not built for the sanitizer, which does not see how TBB synchronises
-    export TSAN_OPTIONS="suppressions=$PWD/test/thread_sanitizer.supp"
+    export TSAN_OPTIONS="suppressions=$PWD/test/support/thread_sanitizer.supp"
     build_and_test sanitize-thread "-fsanitize=thread" ;;
   esac
   case $tool in valgrind|all)
     # valgrind rounds to nearest only, which CGAL finds out when the program starts; nothing of ours needs another way
     cmake -S . -B build/valgrind -D CMAKE_BUILD_TYPE=Debug \
       -D CMAKE_CXX_FLAGS_DEBUG="-O1 -g1 -D CGAL_DISABLE_ROUNDING_MATH_CHECK"
-    cmake --build build/valgrind --parallel 2 --target test_errors
+    cmake --build build/valgrind --parallel 2 --target test_exceptions
     valgrind --error-exitcode=1 --leak-check=full --errors-for-leak-kinds=definite,indirect \
-      build/valgrind/test/test_errors ;;
+      build/valgrind/test/contract/test_exceptions ;;
   esac
   case $tool in tidy|all)
     cmake -S . -B build/tidy -D CMAKE_EXPORT_COMPILE_COMMANDS=ON -D CMAKE_CXX_COMPILER=clang++
-    clang-tidy -p build/tidy --quiet --warnings-as-errors='*' test/test_properties.cpp ;;
+    clang-tidy -p build/tidy --quiet --warnings-as-errors='*' test/contract/random_clouds.cpp ;;
   esac
   case $tool in cppcheck|all)
     # Eigen is there, but empty: cppcheck looks at our headers only
     mkdir -p build/cppcheck/Eigen
     for header in Core Dense; do : > "build/cppcheck/Eigen/$header"; done
     cppcheck --std=c++17 --language=c++ --enable=warning,performance,portability --inline-suppr --error-exitcode=1 \
-      --quiet -I include -I build/cppcheck -D CGAL_LINKED_WITH_TBB test/consumer/main.cpp ;;
+      --quiet -I include -I build/cppcheck -D CGAL_LINKED_WITH_TBB test/packaging/consumer/main.cpp ;;
   esac
 done

@@ -85,6 +85,6 @@ foreach(file IN ITEMS include/CGAL/balanced_flow_smooth_point_set.h share/pkgcon
   endif()
 endforeach()
 execute_process(
-  COMMAND ${CMAKE_COMMAND} -S ${SOURCE_TREE}/test/consumer -B ${WORK_DIR}/consumer -D CMAKE_CXX_COMPILER=${CXX}
+  COMMAND ${CMAKE_COMMAND} -S ${SOURCE_TREE}/test/packaging/consumer -B ${WORK_DIR}/consumer -D CMAKE_CXX_COMPILER=${CXX}
           -D CMAKE_PREFIX_PATH=${WORK_DIR}/prefix -D WITH_TBB=TRUE -D WITH_PROGRAM=FALSE
   OUTPUT_QUIET COMMAND_ERROR_IS_FATAL ANY)

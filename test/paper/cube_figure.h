@@ -5,7 +5,7 @@
 #include "Paper_case.h"
 #include "Tuning.h"
 
-#include "../shapes.h"
+#include "../support/shapes.h"
 
 /// Fig. 7: a noisy cube after 200 steps of the static and 12 of the dynamic flow, each with the K that
 /// suits it best; below, the curvature

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-# Builds and runs test/consumer with the package.
+# Builds and runs test/packaging/consumer with the package.
 import os
 
 from conan import ConanFile
@@ -26,7 +26,7 @@ class PointSetFlowTestConan(ConanFile):
 
     def build(self):
         cmake = CMake(self)
-        cmake.configure(build_script_folder=os.path.join("..", "..", "..", "..", "test", "consumer"))
+        cmake.configure(build_script_folder=os.path.join("..", "..", "..", "..", "test", "packaging", "consumer"))
         cmake.build()
 
     def test(self):

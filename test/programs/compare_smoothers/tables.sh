@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: GPL-3.0-or-later
 # Tests the program compare_smoothers from outside.
-#   compare_smoothers_test.sh <program> <directory of CGAL's sample data> <work directory>
-. "$(dirname "$0")/program_test.sh"
+#   tables.sh <program> <directory of CGAL's sample data> <work directory>
+. "$(dirname "$0")/../program_test.sh"
 
 # field file row column: a number of the CSV table by the names of its row and column
 field() {
@@ -23,7 +23,7 @@ check "a mesh" "$program" "$data/meshes/fandisk.off" --points 1500 --noise 2 --s
 check "its table is complete" table_is_complete mesh/comparison.csv 10 16
 check "its Markdown has all rows" test "$(grep -c '^|' mesh/comparison.md)" = 12
 check "isotropic noise of 2% has that rms" between 18 "$(field mesh/comparison.csv none rms)" 20.6
-check "jet takes noise off" between 0 "$(field mesh/comparison.csv 'jet; k=24' rms)" 17
+check "jet denoises" between 0 "$(field mesh/comparison.csv 'jet; k=24' rms)" 17
 check "nothing drifts in none" between 0 "$(field mesh/comparison.csv none drift)" 0
 check "as many clouds as methods" test "$(ls mesh/*.ply | wc -l)" = 10
 check "a cloud has all points" grep -aq '^element vertex 1500' mesh/ours.ply

@@ -57,7 +57,7 @@ check "no such directory" fails_with 2 "there is no directory nowhere" "$program
 check "unknown format" fails_with 2 'the format ".docx" is not known' "$program" colors.docx no.xyz
 check "bytes that tell no format" fails_with 2 "can not be guessed: use --format" "$program" - - < binary.dat
 check "a full disk" bash -c "'$program' colors.xyz - > /dev/full 2> full.log; [ \$? = 2 ] && grep -q 'cannot write standard output' full.log"
-check "unknown option" fails_with 1 "unrecognized option" "$program" colors.xyz no.xyz --speed 3
+check "unknown option" fails_with 1 "unrecognised option '--speed'" "$program" colors.xyz no.xyz --speed 3
 check "no files" fails_with 1 "is required" "$program"
 check "no output" fails_with 1 "an output is required" "$program" colors.xyz
 check "three files" fails_with 1 "more than two files need" "$program" a.xyz b.xyz c.xyz

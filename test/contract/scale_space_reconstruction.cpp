@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Balanced_flow_smoother as a model of the concept Smoother of CGAL's scale space reconstruction.
-#define BOOST_TEST_MODULE scale_space
+#define BOOST_TEST_MODULE scale_space_reconstruction
 #include <boost/test/unit_test.hpp>
 
 #include "shapes.h"
@@ -77,13 +77,13 @@ BOOST_AUTO_TEST_CASE(the_points_are_those_of_the_function)
   BOOST_TEST((smoothed(noisy, 12) != once));
 }
 
-BOOST_AUTO_TEST_CASE(sequential_equals_parallel)
+BOOST_AUTO_TEST_CASE(sequential_and_parallel_results_are_bitwise_identical)
 {
   BOOST_TEST((scaled(2, Smoother()) == scaled(2, Sequential_smoother())));
   BOOST_TEST((scaled(1, Smoother(20)) == scaled(1, Sequential_smoother(20))));
 }
 
-BOOST_AUTO_TEST_CASE(any_forward_iterator)
+BOOST_AUTO_TEST_CASE(any_forward_iterator_is_enough)
 {
   const Points noisy = noisy_sphere();
   std::list<Kernel::Point_3> list(noisy.begin(), noisy.end());

@@ -25,5 +25,5 @@ cat > colors.xyz <<'END'
 0.5 0.5 0.25 251 4 16 5
 2 0 0.1 250 5 17 5
 END
-# what makes six points move; their noise can not be told
+# what makes six points move; their noise cannot be estimated
 few="-k 4 --curvature covariance"

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What balanced_flow_smooth_point_set() does with bad arguments and failing maps; minimal kernels.
-#define BOOST_TEST_MODULE errors
+// What is thrown, for bad arguments, failing maps and flows that diverge, and that nothing is changed
+// then.
+#define BOOST_TEST_MODULE exceptions
 #include <boost/test/unit_test.hpp>
 
 #include "shapes.h"
@@ -17,7 +18,7 @@ using shapes::noisy_cube;
 using shapes::Points;
 typedef CGAL::Sequential_tag Sequential;
 
-BOOST_AUTO_TEST_CASE(errors_name_the_argument_and_leave_the_points)
+BOOST_AUTO_TEST_CASE(errors_name_the_argument_and_leave_the_points_unchanged)
 {
   const Points noisy = noisy_cube(6);
   const auto check = [&](const std::string& expected, const auto& call) {
@@ -206,7 +207,7 @@ BOOST_AUTO_TEST_CASE(wherever_a_map_throws_all_values_are_as_before)
     for (long Access::*left : {&Access::reads_left, &Access::writes_left}) {
       const bool writes = left == &Access::writes_left;
       if (writes && throws_for_ever)
-        continue; // what can not be written can not be taken back
+        continue; // what cannot be written cannot be taken back
       long n = 0;
       for (bool has_thrown = true; has_thrown; ++n) {
         Cloud cloud = noisy;
@@ -227,7 +228,7 @@ BOOST_AUTO_TEST_CASE(wherever_a_map_throws_all_values_are_as_before)
     }
 }
 
-BOOST_AUTO_TEST_CASE(a_map_that_can_not_be_written_any_more_is_an_exception_not_the_end)
+BOOST_AUTO_TEST_CASE(a_map_that_cannot_be_written_any_more_ends_in_an_exception_not_in_termination)
 {
   Cloud cloud;
   Access access;
@@ -236,7 +237,7 @@ BOOST_AUTO_TEST_CASE(a_map_that_can_not_be_written_any_more_is_an_exception_not_
   BOOST_CHECK_THROW(smooth(cloud, access), std::out_of_range);
 }
 
-BOOST_AUTO_TEST_CASE(a_map_that_checks_its_keys_is_believed)
+BOOST_AUTO_TEST_CASE(the_exception_of_a_map_that_checks_its_keys_is_passed_on)
 {
   Cloud cloud, before;
   cloud.normals.pop_back(); // one too few: vector::at() throws
@@ -246,7 +247,7 @@ BOOST_AUTO_TEST_CASE(a_map_that_checks_its_keys_is_believed)
   BOOST_TEST((cloud == before));
 }
 
-BOOST_AUTO_TEST_CASE(exceptions_of_the_callback_leave_the_points)
+BOOST_AUTO_TEST_CASE(exceptions_of_the_callback_leave_the_points_unchanged)
 {
   const Points noisy = noisy_cube(6);
   for (const double when : {0., .1, .3, .5, .9, 1.}) {
@@ -261,4 +262,20 @@ BOOST_AUTO_TEST_CASE(exceptions_of_the_callback_leave_the_points)
                       std::runtime_error);
     BOOST_TEST((points == noisy));
   }
+}
+
+// ---- flows that diverge
+
+BOOST_AUTO_TEST_CASE(a_flow_that_diverges_is_an_error)
+{
+  const Points noisy = noisy_cube(6);
+  Points points = noisy;
+  BOOST_CHECK_THROW(CGAL::balanced_flow_smooth_point_set<Sequential>(
+                        points, 20, np::step_length(1e40).curvature(Covariance_curvature())),
+                    std::overflow_error);
+  BOOST_TEST((points == noisy));
+
+  Points plane = shapes::disc(100);
+  CGAL::balanced_flow_smooth_point_set<Sequential>(plane, 20, np::sharpness_angle(1e-80));
+  BOOST_TEST((plane == shapes::disc(100)));
 }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The stages one by one, against known answers and against CGAL.
+// The stages one by one, against known answers and against CGAL. All tests that look at internal
+// headers are here.
 #define BOOST_TEST_MODULE stages
 #include <boost/test/unit_test.hpp>
 
@@ -9,6 +10,7 @@
 #include <CGAL/Point_set_flow/Diffusivity.h>
 #include <CGAL/Point_set_flow/estimate_point_set_scale.h>
 #include <CGAL/Point_set_flow/internal/neighbors/Neighbor_graph.h>
+#include <CGAL/Point_set_flow/internal/noise/two_sheets.h>
 #include <CGAL/Point_set_flow/internal/order/Point_buffer.h>
 #include <CGAL/Point_set_flow/internal/flow/prefilter.h>
 #include <CGAL/Orthogonal_k_neighbor_search.h>
@@ -253,4 +255,44 @@ BOOST_AUTO_TEST_CASE(noise_and_spacing_are_estimated)
              1e-3 * spacing);
   BOOST_TEST(estimate_point_set_scale<CGAL::Sequential_tag>(shapes::sphere(10, 1.)).noise == 0.);
   BOOST_TEST(estimate_point_set_scale<CGAL::Sequential_tag>(Points()).spacing == 0.);
+}
+
+BOOST_AUTO_TEST_CASE(thin_parts_are_distinguished_from_noise)
+{
+  const double spacing = std::sqrt(CGAL_PI / 4000.), sigma = .5 * spacing;
+  for (const bool thin : {false, true}) {
+    Points points = array(shapes::disc(4000)); // or two discs, four deviations apart
+    for (std::size_t i = 0; thin && i < points.size(); i += 2)
+      points[i] = Point_3(points[i].x(), points[i].y(), 4. * sigma);
+    shapes::add_noise(points, sigma);
+    internal::Progress progress(no_callback, 1.);
+    const internal::Neighbor_tree tree(sequential, points, progress);
+    internal::Neighbor_graph graph(sequential, tree, 60, 0., progress, 0.);
+    internal::Surface_state state;
+    state.normals.assign(points.size(), Vector_3(0, 0, 1));
+    state.noise.assign(points.size(), (thin ? std::sqrt(5.) : 1.) * sigma);
+    state.spacing = spacing;
+    const internal::Array<std::uint32_t> sizes = internal::find_thin_parts<CGAL::Sequential_tag>(
+        points, graph, .6, Tangent_plane_curvature::defaults(), state, progress, 0.);
+    const double noise =
+        std::accumulate(state.noise.begin(), state.noise.end(), 0.) / double(points.size());
+    const double size = std::accumulate(sizes.begin(), sizes.end(), 0.) / double(points.size());
+    BOOST_TEST_CONTEXT(thin)
+    {
+      BOOST_TEST(noise == sigma, boost::test_tools::tolerance(.25));
+      if (thin)
+        BOOST_TEST(size < 25.);
+      else
+        BOOST_TEST(size > 30.);
+    }
+  }
+}
+
+BOOST_AUTO_TEST_CASE(more_than_2_to_the_32_neighbors_do_not_overflow)
+{
+  // 100 million points with 128 neighbors each, without the memory that they take
+  typedef internal::Neighbor_graph Graph;
+  const std::uint32_t last = 100000000u - 1u;
+  BOOST_TEST(Graph::offset(last, 128) == std::size_t(12799999872u));
+  BOOST_TEST(Graph::offset(last, 128) > std::size_t((std::numeric_limits<std::uint32_t>::max)()));
 }

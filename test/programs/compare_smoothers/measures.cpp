@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The measuring instruments of compare_smoothers and benchmark_accuracy, on shapes with known
 // answers: figures are worth what these are.
-#define BOOST_TEST_MODULE comparison
+#define BOOST_TEST_MODULE measures
 #include "benchmark/Apss.h"
 #include "benchmark/Benchmark_shapes.h"
 #include "shapes.h"
@@ -34,7 +34,7 @@ std::optional<Mesh> cube_mesh() // of half side 1/sqrt(3)
 
 } // namespace
 
-BOOST_AUTO_TEST_CASE(signed_distances_to_a_cube)
+BOOST_AUTO_TEST_CASE(signed_distances_to_a_cube_are_exact)
 {
   const Mesh_surface cube(*cube_mesh());
   const double half = 1. / std::sqrt(3.);
@@ -52,7 +52,7 @@ BOOST_AUTO_TEST_CASE(signed_distances_to_a_cube)
 }
 
 // A prism over an L has a concave edge, and vertices with concave and convex edges
-BOOST_AUTO_TEST_CASE(sides_of_a_concave_shape)
+BOOST_AUTO_TEST_CASE(the_sides_of_a_concave_shape_are_right)
 {
   const Mesh_surface shape(
       *prism({{-1., -1.}, {1., -1.}, {1., 0.}, {0., 0.}, {0., 1.}, {-1., 1.}}, 1.));
@@ -106,7 +106,7 @@ BOOST_AUTO_TEST_CASE(noise_has_its_deviation)
              boost::test_tools::tolerance(.03));
 }
 
-BOOST_AUTO_TEST_CASE(measures_of_a_moved_plane)
+BOOST_AUTO_TEST_CASE(the_measures_of_a_moved_plane_are_known)
 {
   const Points from = shapes::disc(1000);
   Points to;

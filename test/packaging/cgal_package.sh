@@ -7,7 +7,7 @@
 set -eu
 work=$(mkdir -p "$1" && cd "$1" && pwd)
 shift
-root=$(cd "$(dirname "$0")/.." && pwd)
+root=$(cd "$(dirname "$0")/../.." && pwd)
 
 if [ ! -d "$work/cgal.orig" ]; then # apt with a list and a state of its own
   mkdir -p "$work/apt/lists/partial" "$work/apt/cache/archives/partial"

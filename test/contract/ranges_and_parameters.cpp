@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The contract of balanced_flow_smooth_point_set(): drop-in use and invariances.
-#define BOOST_TEST_MODULE smooth_point_set
+// Drop-in use of balanced_flow_smooth_point_set(): ranges, kernels, maps, named parameters, what is
+// returned.
+#define BOOST_TEST_MODULE ranges_and_parameters
 #include <boost/test/unit_test.hpp>
 
 #include "smoothed.h"
@@ -18,6 +19,7 @@ using namespace CGAL::Point_set_flow;
 using shapes::largest_difference;
 using shapes::noisy_cube;
 using shapes::Points;
+using shapes::smoothed;
 typedef CGAL::Sequential_tag Sequential;
 
 namespace {
@@ -44,7 +46,7 @@ struct Takes_step_length<Pack, std::void_t<decltype(std::declval<Pack>().step_le
 
 // ---- drop-in use: whatever the range, the result is that of a vector of points
 
-BOOST_AUTO_TEST_CASE(any_range_and_kernel)
+BOOST_AUTO_TEST_CASE(any_range_and_kernel_give_the_same_points)
 {
   const Points noisy = noisy_cube(), expected = smoothed(noisy);
   BOOST_TEST(largest_difference(noisy, expected) > .01);
@@ -74,7 +76,59 @@ BOOST_AUTO_TEST_CASE(any_range_and_kernel)
                          expected) < 1e-5);
 }
 
-BOOST_AUTO_TEST_CASE(pairs_tuples_and_indices)
+namespace {
+/// Points and vectors with nothing but what the documentation asks for
+struct Minimal_kernel {
+  typedef float FT;
+  template <typename>
+  struct Ambient_dimension { // CGAL 6.2 asks for it, and for R
+    typedef CGAL::Dimension_tag<3> type;
+  };
+  class Triple {
+    float m_x, m_y, m_z;
+
+  public:
+    typedef Minimal_kernel R;
+    Triple(float x, float y, float z) : m_x(x), m_y(y), m_z(z) {}
+    float x() const { return m_x; }
+    float y() const { return m_y; }
+    float z() const { return m_z; }
+  };
+  struct Point_3 : Triple {
+    using Triple::Triple;
+  };
+  struct Vector_3 : Triple {
+    using Triple::Triple;
+  };
+};
+
+typedef std::pair<Minimal_kernel::Point_3, Minimal_kernel::Vector_3> Minimal_pair;
+} // namespace
+
+BOOST_AUTO_TEST_CASE(a_minimal_kernel_is_enough)
+{
+  const Points noisy = noisy_cube();
+  Points expected;
+  std::vector<Minimal_pair> pairs;
+  for (const auto& p : noisy) {
+    pairs.emplace_back(Minimal_kernel::Point_3(float(p.x()), float(p.y()), float(p.z())),
+                       Minimal_kernel::Vector_3(0, 0, 1));
+    expected.emplace_back(float(p.x()), float(p.y()), float(p.z()));
+  }
+  CGAL::balanced_flow_smooth_point_set<Sequential>(expected, 20);
+  CGAL::balanced_flow_smooth_point_set<Sequential>(
+      pairs, 20,
+      np::point_map(CGAL::First_of_pair_property_map<Minimal_pair>())
+          .normal_map(CGAL::Second_of_pair_property_map<Minimal_pair>())
+          .geom_traits(Minimal_kernel()));
+  for (std::size_t i = 0; i < pairs.size(); ++i) {
+    const Minimal_kernel::Point_3& p = pairs[i].first;
+    BOOST_REQUIRE(CGAL::squared_distance(shapes::Point_3(p.x(), p.y(), p.z()), expected[i]) <
+                  1e-12);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(pairs_tuples_and_indices_give_the_same_points)
 {
   const Points noisy = noisy_cube(), expected = smoothed(noisy);
 
@@ -113,7 +167,7 @@ BOOST_AUTO_TEST_CASE(pairs_tuples_and_indices)
     BOOST_REQUIRE((coordinates[i] == (i % 2 == 0 ? expected_half[i / 2] : noisy[i])));
 }
 
-BOOST_AUTO_TEST_CASE(point_set_3)
+BOOST_AUTO_TEST_CASE(a_point_set_3_gives_the_same_points_and_gets_no_normal_map)
 {
   const Points noisy = noisy_cube(), expected = smoothed(noisy);
   typedef CGAL::Point_set_3<shapes::Point_3> Point_set;
@@ -151,6 +205,8 @@ BOOST_AUTO_TEST_CASE(point_set_3)
   CGAL::balanced_flow_smooth_point_set<Sequential>(removed, 20);
   BOOST_TEST((points_of(removed, removed.point_map()) == expected));
 }
+
+// ---- named parameters
 
 BOOST_AUTO_TEST_CASE(named_parameters_combine_in_any_order)
 {
@@ -234,115 +290,9 @@ BOOST_AUTO_TEST_CASE(neighbor_radius_limits_the_nearest_k)
   BOOST_TEST((far.back() == shapes::Point_3(50., 50., 50.)));
 }
 
-// ---- invariances
+// ---- output maps and constraints
 
-BOOST_AUTO_TEST_CASE(parallel_and_sequential_are_the_same_to_the_last_bit)
-{
-#ifdef CGAL_LINKED_WITH_TBB
-  Points noisy = noisy_cube(60);
-  noisy.insert(noisy.end(), noisy.begin(), noisy.begin() + 1000); // duplicates
-  Points sequential = noisy, parallel = noisy;
-  const double a = CGAL::balanced_flow_smooth_point_set<Sequential>(sequential);
-  const double b = CGAL::balanced_flow_smooth_point_set<CGAL::Parallel_tag>(parallel);
-  BOOST_TEST(a == b);
-  BOOST_TEST((sequential == parallel));
-  BOOST_TEST(a > 0.);
-
-  // the same with all that can be passed
-  const auto run = [&](auto tag, const auto& flow) {
-    typedef std::tuple<shapes::Point_3, shapes::Vector_3, shapes::Point_3, bool> Item;
-    std::vector<Item> items;
-    for (std::size_t i = 0; i < noisy.size(); ++i)
-      items.emplace_back(noisy[i], CGAL::NULL_VECTOR, noisy[i] + shapes::Vector_3(.01, 0., 0.),
-                         i % 5 == 0);
-    const double moved = CGAL::balanced_flow_smooth_point_set<decltype(tag)>(
-        items, np::flow(flow)
-                   .initial_point_map(CGAL::Nth_of_tuple_property_map<2, Item>())
-                   .point_map(CGAL::Nth_of_tuple_property_map<0, Item>())
-                   .normal_map(CGAL::Nth_of_tuple_property_map<1, Item>())
-                   .point_is_constrained_map(CGAL::Nth_of_tuple_property_map<3, Item>()));
-    for (std::size_t i = 0; i < noisy.size(); i += 5)
-      BOOST_REQUIRE((std::get<0>(items[i]) == noisy[i])); // constrained, wherever others start
-    return std::make_pair(items, moved);
-  };
-  BOOST_TEST((run(Sequential(), Balanced_flow()) == run(CGAL::Parallel_tag(), Balanced_flow())));
-  BOOST_TEST((run(Sequential(), Curvature_flow()) == run(CGAL::Parallel_tag(), Curvature_flow())));
-#endif
-}
-
-BOOST_AUTO_TEST_CASE(blocks_and_one_piece_are_the_same_to_the_last_bit)
-{
-  const Points noisy = noisy_cube(60);
-  const auto run = [&](unsigned int block_size, const auto& curvature, unsigned int steps) {
-    std::vector<std::pair<shapes::Point_3, shapes::Vector_3>> pairs;
-    for (const auto& p : noisy)
-      pairs.emplace_back(p, shapes::Vector_3(0, 0, 0));
-    typedef std::pair<shapes::Point_3, shapes::Vector_3> Pair;
-    const double moved = CGAL::balanced_flow_smooth_point_set<Sequential>(
-        pairs, np::block_size(block_size)
-                   .curvature(curvature)
-                   .number_of_iterations(steps)
-                   .point_map(CGAL::First_of_pair_property_map<Pair>())
-                   .normal_map(CGAL::Second_of_pair_property_map<Pair>()));
-    return std::make_pair(pairs, moved);
-  };
-  const auto check = [&](const auto& curvature, unsigned int steps) {
-    const auto whole = run(1000000, curvature, steps);
-    for (const unsigned int block_size : {1u, 3000u, 20000u})
-      BOOST_TEST((run(block_size, curvature, steps) == whole));
-  };
-  check(Tangent_plane_curvature(), 2);
-  check(Covariance_curvature(), 3);
-}
-
-BOOST_AUTO_TEST_CASE(the_order_of_the_input_does_not_matter)
-{
-  Points noisy = noisy_cube(), automatic = noisy;
-  for (int i = 0; i < 50; ++i)
-    noisy.push_back(noisy[std::size_t(i)]);
-  const Points expected = smoothed(noisy);
-  for (std::size_t i = 0; i < 50; ++i) // duplicates stay together
-    BOOST_REQUIRE((expected[i] == expected[noisy.size() - 50 + i]));
-
-  std::vector<std::size_t> order(noisy.size());
-  std::iota(order.begin(), order.end(), std::size_t(0));
-  std::shuffle(order.begin(), order.end(), std::mt19937(11));
-  Points shuffled;
-  for (const std::size_t i : order)
-    shuffled.push_back(noisy[i]);
-  const Points result = smoothed(shuffled);
-  for (std::size_t i = 0; i < order.size(); ++i)
-    BOOST_REQUIRE((result[i] == expected[order[i]]));
-}
-
-BOOST_AUTO_TEST_CASE(translation_scaling_and_rotation)
-{
-  const Points noisy = noisy_cube();
-  Points expected = noisy;
-  CGAL::balanced_flow_smooth_point_set<Sequential>(expected); // k from the data
-  const auto check = [&](const auto& transform, double tolerance) {
-    Points points, reference;
-    for (const auto& p : noisy)
-      points.push_back(transform(p));
-    for (const auto& p : expected)
-      reference.push_back(transform(p));
-    CGAL::balanced_flow_smooth_point_set<Sequential>(points);
-    BOOST_TEST(largest_difference(points, reference) < tolerance);
-  };
-  typedef CGAL::Aff_transformation_3<shapes::Kernel> Transformation;
-  check(Transformation(CGAL::TRANSLATION, shapes::Vector_3(1e7, -1e7, 1e7)), 1e-6);
-  check(Transformation(CGAL::SCALING, 1e-6), 1e-6 * 1e-9);
-  check(Transformation(CGAL::SCALING, 1e6), 1e6 * 1e-9);
-  check(Transformation(CGAL::SCALING, 1e-150), 1e-150 * 1e-9);
-  check(Transformation(CGAL::SCALING, 1e150), 1e150 * 1e-9);
-  const double c = std::cos(.6), s = std::sin(.6);
-  check(Transformation(c, -s, 0., s, c, 0., 0., 0., 1.), 1e-9);
-  check(Transformation(1., 0., 0., 0., c, -s, 0., s, c), 1e-9);
-}
-
-// ---- normals and constraints
-
-BOOST_AUTO_TEST_CASE(normals_are_right_and_keep_their_side)
+BOOST_AUTO_TEST_CASE(normals_are_accurate_and_keep_their_orientation)
 {
   typedef std::pair<shapes::Point_3, shapes::Vector_3> Pair;
   Points noisy = shapes::sphere(2000, 3.);
@@ -368,7 +318,7 @@ BOOST_AUTO_TEST_CASE(normals_are_right_and_keep_their_side)
   BOOST_TEST(mean_cosine > .99);
 }
 
-BOOST_AUTO_TEST_CASE(the_feature_strength_tells_edges_from_faces)
+BOOST_AUTO_TEST_CASE(the_feature_strength_distinguishes_edges_from_faces)
 {
   typedef std::pair<shapes::Point_3, float> Pair;
   std::vector<Pair> pairs;
@@ -390,4 +340,49 @@ BOOST_AUTO_TEST_CASE(the_feature_strength_tells_edges_from_faces)
   }
   BOOST_TEST(on_edges / edges > .4);
   BOOST_TEST(on_faces / faces < .02);
+}
+
+BOOST_AUTO_TEST_CASE(constrained_points_stay)
+{
+  const Points noisy = noisy_cube();
+  std::vector<std::size_t> indices(noisy.size());
+  std::iota(indices.begin(), indices.end(), std::size_t(0));
+  Points points = noisy;
+  std::vector<char> fixed(noisy.size());
+  for (std::size_t i = 0; i < noisy.size(); i += 3)
+    fixed[i] = 1;
+  CGAL::balanced_flow_smooth_point_set<Sequential>(
+      indices, 20,
+      np::point_map(CGAL::make_property_map(points))
+          .point_is_constrained_map(CGAL::make_property_map(fixed)));
+  std::size_t moved = 0;
+  for (std::size_t i = 0; i < noisy.size(); ++i) {
+    if (fixed[i])
+      BOOST_REQUIRE((points[i] == noisy[i]));
+    else if (points[i] != noisy[i])
+      ++moved;
+  }
+  BOOST_TEST(moved > noisy.size() / 2);
+}
+
+// ---- what is returned
+
+BOOST_AUTO_TEST_CASE(the_mean_movement_of_the_last_step_is_returned_in_the_unit_of_the_data)
+{
+  // this estimator does the same in all steps, however many there are
+  const Points noisy = shapes::noisy_cube();
+  Points before = noisy, after = noisy;
+  CGAL::balanced_flow_smooth_point_set<CGAL::Sequential_tag>(
+      before, 20, np::curvature(Covariance_curvature()).number_of_iterations(4));
+  const double moved = CGAL::balanced_flow_smooth_point_set<CGAL::Sequential_tag>(
+      after, 20, np::curvature(Covariance_curvature()).number_of_iterations(5));
+  double mean = 0.;
+  for (std::size_t i = 0; i < noisy.size(); ++i)
+    mean += std::sqrt(CGAL::squared_distance(before[i], after[i])) / double(noisy.size());
+  BOOST_TEST(moved == mean, boost::test_tools::tolerance(1e-9));
+
+  Points none = noisy;
+  BOOST_TEST(CGAL::balanced_flow_smooth_point_set<CGAL::Sequential_tag>(
+                 none, 20, np::number_of_iterations(0)) == 0.);
+  BOOST_TEST((none == noisy));
 }

@@ -1,9 +1,9 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: GPL-3.0-or-later
 # Tests the page of compare_smoothers --html: the file by itself, and in Chromium if it is installed.
-#   compare_smoothers_page_test.sh <program> <directory of CGAL's sample data> <work directory>
-check_script=$(cd "$(dirname "$0")" && pwd)/compare_smoothers_page_check.js
-. "$(dirname "$0")/program_test.sh"
+#   page.sh <program> <directory of CGAL's sample data> <work directory>
+check_script=$(cd "$(dirname "$0")" && pwd)/page_check.js
+. "$(dirname "$0")/../program_test.sh"
 
 quietly() { "$@" > log 2>&1 || { cat log; false; }; }
 data_of() { sed -n 's|^.*<script type="application/json" id="data">||p' "$1" | sed 's|\\/|/|g'; }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What holds for any finite points and any valid parameters, tried on thousands of random cases. A
-// failure prints the seed of its case: test_properties --run_test=... -- SEED runs that one alone.
-#define BOOST_TEST_MODULE properties
+// failure prints the seed of its case: test_random_clouds --run_test=... -- SEED runs that one alone.
+#define BOOST_TEST_MODULE random_clouds
 #include <boost/test/unit_test.hpp>
 
 #include "random_clouds.h"
@@ -171,7 +171,7 @@ void try_flow(unsigned int seed, const Flow& flow, const Curvature& curvature)
 
 } // namespace
 
-BOOST_AUTO_TEST_CASE(any_flow_and_parameters)
+BOOST_AUTO_TEST_CASE(any_flow_and_parameters_give_finite_points)
 {
   for_each_seed(
       [](unsigned int seed) {
@@ -184,7 +184,7 @@ BOOST_AUTO_TEST_CASE(any_flow_and_parameters)
       400);
 }
 
-BOOST_AUTO_TEST_CASE(extreme_parameters_end_in_finite_points_or_in_an_error)
+BOOST_AUTO_TEST_CASE(extreme_parameters_give_finite_points_or_an_error)
 {
   for_each_seed(
       [](unsigned int seed) {

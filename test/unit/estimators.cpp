@@ -7,7 +7,6 @@
 
 #include <CGAL/Aff_transformation_3.h>
 #include <CGAL/Point_set_flow/Diffusivity.h>
-#include <CGAL/Point_set_flow/internal/order/Point_buffer.h>
 #include <CGAL/balanced_flow_smooth_point_set.h>
 #include <CGAL/jet_smooth_point_set.h>
 
@@ -15,13 +14,9 @@
 #include <numeric>
 
 using namespace CGAL::Point_set_flow;
-namespace internal = CGAL::Point_set_flow::internal;
 using shapes::Points;
 
 namespace {
-
-const CGAL::Sequential_tag sequential{};
-const std::function<bool(double)> no_callback;
 
 /// All points as one neighborhood of the first of them
 struct All_of {
@@ -216,38 +211,6 @@ BOOST_AUTO_TEST_CASE(a_point_off_the_plane_comes_back_by_at_most_the_width_of_th
   }
 }
 
-BOOST_AUTO_TEST_CASE(thin_parts_are_told_from_noise)
-{
-  const double spacing = std::sqrt(CGAL_PI / 4000.), sigma = .5 * spacing;
-  for (const bool thin : {false, true}) {
-    Points points = shapes::disc(4000); // or two discs, four deviations apart
-    for (std::size_t i = 0; thin && i < points.size(); i += 2)
-      points[i] = Point_3(points[i].x(), points[i].y(), 4. * sigma);
-    shapes::add_noise(points, sigma);
-    const internal::Array<Point_3> array(points.begin(), points.end());
-    internal::Progress progress(no_callback, 1.);
-    const internal::Neighbor_tree tree(sequential, array, progress);
-    internal::Neighbor_graph graph(sequential, tree, 60, 0., progress, 0.);
-    internal::Surface_state state;
-    state.normals.assign(points.size(), Vector_3(0, 0, 1));
-    state.noise.assign(points.size(), (thin ? std::sqrt(5.) : 1.) * sigma);
-    state.spacing = spacing;
-    const internal::Array<std::uint32_t> sizes = internal::find_thin_parts<CGAL::Sequential_tag>(
-        array, graph, .6, Tangent_plane_curvature::defaults(), state, progress, 0.);
-    const double noise =
-        std::accumulate(state.noise.begin(), state.noise.end(), 0.) / double(points.size());
-    const double size = std::accumulate(sizes.begin(), sizes.end(), 0.) / double(points.size());
-    BOOST_TEST_CONTEXT(thin)
-    {
-      BOOST_TEST(noise == sigma, boost::test_tools::tolerance(.25));
-      if (thin)
-        BOOST_TEST(size < 25.);
-      else
-        BOOST_TEST(size > 30.);
-    }
-  }
-}
-
 BOOST_AUTO_TEST_CASE(by_default_the_result_is_nearer_to_the_truth_than_that_of_jet_smoothing)
 {
   for (const double sigma : {.01, .03}) {
@@ -280,5 +243,5 @@ BOOST_AUTO_TEST_CASE(clean_points_are_left_alone)
   const Points plane = shapes::disc(500);
   points = plane;
   CGAL::balanced_flow_smooth_point_set<CGAL::Sequential_tag>(points);
-  BOOST_TEST((points == plane)); // to the last bit
+  BOOST_TEST((points == plane)); // bitwise
 }
