@@ -6,6 +6,8 @@
 #include <utility>
 #include <vector>
 
+namespace balanced_flow_smooth {
+
 // The words of --help and of the man page that are not about one option.
 
 constexpr const char* program_name = "balanced-flow-smooth";
@@ -15,14 +17,14 @@ namespace manual {
 constexpr const char* summary = "take the noise off 3D point sets";
 
 // what comes after the name of the program
-const std::vector<std::string> synopsis = {
+inline const std::vector<std::string> synopsis = {
     "[OPTION]... INPUT OUTPUT",
     "[OPTION]... --output-dir DIR INPUT...",
     "[OPTION]... --in-place FILE...",
     "[OPTION]... --dry-run FILE",
 };
 
-const std::vector<std::string> description = {
+inline const std::vector<std::string> description = {
     "Smooths the points of each INPUT by dynamic balanced flow and writes them to OUTPUT, to a "
     "file of the same name in DIR, or back to FILE. Noise, neighborhoods and all else that the "
     "method needs are found in the data. INPUT may be -, standard input, and OUTPUT may be -, "
@@ -35,7 +37,7 @@ const std::vector<std::string> description = {
     "it was, and the next one is taken.",
 };
 
-const std::vector<std::pair<std::string, std::string>> formats = {
+inline const std::vector<std::pair<std::string, std::string>> formats = {
     {"ply", "ASCII or binary of either byte order, with any properties, lists and elements."},
     {"xyz",
      "also pwn, txt, pts: lines of x y z, the normal if columns 4 to 6 are unit vectors, and "
@@ -47,21 +49,21 @@ const std::vector<std::pair<std::string, std::string>> formats = {
      "other dimensions are kept."},
 };
 
-const std::vector<std::string> on_formats = {
+inline const std::vector<std::string> on_formats = {
     "The extension of a name tells the format. That of standard input is guessed from its first "
     "bytes, and standard output gets that of the input; --format and --output-format tell "
     "otherwise. From one format to another go the points, the normals and whatever are numbers of "
     "points (to OFF and XYZ as columns, without names); a warning tells what is lost.",
 };
 
-const std::vector<std::pair<std::string, std::string>> exit_status = {
+inline const std::vector<std::pair<std::string, std::string>> exit_status = {
     {"0", "all files are written."},
     {"1", "the command line is wrong; nothing was done."},
     {"2", "at least one file could not be read, smoothed or written; the others are written."},
     {"130, 143", "interrupted by Ctrl-C (SIGINT) or SIGTERM; the file at work is left as it was."},
 };
 
-const std::vector<std::pair<std::string, std::string>> examples = {
+inline const std::vector<std::pair<std::string, std::string>> examples = {
     {"balanced-flow-smooth scan.ply smoothed.ply", "Smooth one file."},
     {"balanced-flow-smooth --dry-run scan.ply",
      "Tell the spacing, the noise and what would be done."},
@@ -73,5 +75,7 @@ const std::vector<std::pair<std::string, std::string>> examples = {
 };
 
 } // namespace manual
+
+} // namespace balanced_flow_smooth
 
 #endif // BALANCED_FLOW_SMOOTH_MANUAL_H

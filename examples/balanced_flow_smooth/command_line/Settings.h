@@ -2,12 +2,14 @@
 #ifndef BALANCED_FLOW_SMOOTH_SETTINGS_H
 #define BALANCED_FLOW_SMOOTH_SETTINGS_H
 
-#include "Format.h"
+#include "point_files/Format.h"
 
 #include <filesystem>
 #include <optional>
 #include <string>
 #include <vector>
+
+namespace balanced_flow_smooth {
 
 /// How to smooth; what is empty is chosen from the data
 struct Smoothing_settings {
@@ -30,7 +32,7 @@ struct Job {
 struct Settings {
   Smoothing_settings smoothing;
   std::vector<Job> jobs;
-  std::optional<Format> input_format, output_format;
+  const point_files::Format *input_format = nullptr, *output_format = nullptr; // null: to be found
   std::string report; // the file of the JSON report, "-" for standard output, empty for none
   unsigned int threads = 0;
   bool normals = false, quiet = false, dry_run = false;
@@ -40,5 +42,7 @@ struct Settings {
     return !dry_run && !jobs.empty() && jobs.front().output == "-";
   }
 };
+
+} // namespace balanced_flow_smooth
 
 #endif // BALANCED_FLOW_SMOOTH_SETTINGS_H

@@ -3,153 +3,20 @@
 #define BALANCED_FLOW_SMOOTH_PRINT_MANUAL_H
 
 #include "Command_line.h"
-#include "Manual.h"
 
-#include <algorithm>
-#include <cstddef>
 #include <ostream>
-#include <sstream>
 #include <string>
 
-/// The name of an option in parts: "-k", "--neighbors", "N"
-struct Option_name {
-  std::string short_name, long_name, argument;
-  bool argument_is_optional;
+namespace balanced_flow_smooth {
 
-  explicit Option_name(const options::option_description& option)
-      : long_name("--" + option.long_name())
-  {
-    const std::string names = option.format_name(); // "-k [ --neighbors ]"
-    if (names[1] != '-')
-      short_name = names.substr(0, 2);
-    const options::value_semantic& value = *option.semantic();
-    argument_is_optional = value.min_tokens() == 0 && value.max_tokens() != 0;
-    if (value.max_tokens() != 0)
-      argument = value.name();
-    if (argument_is_optional) // "[=FILE(=-)]"
-      argument = argument.substr(2, argument.find('(') - 2);
-  }
-};
+/// What --help prints
+void print_help(std::ostream& out, const Command_line& command_line);
 
-/// Breaks a text into lines, with so many blanks before each but the first.
-inline std::string wrap(const std::string& text, std::size_t indent)
-{
-  const std::size_t width = 80;
-  std::istringstream words(text);
-  std::string wrapped, word;
-  std::size_t column = indent;
-  while (words >> word) {
-    if (column > indent && column + word.size() >= width) {
-      wrapped += "\n" + std::string(indent, ' ');
-      column = indent;
-    }
-    else if (column > indent)
-      wrapped += ' ', ++column;
-    wrapped += word;
-    column += word.size();
-  }
-  return wrapped + "\n";
-}
-
-inline void print_help(std::ostream& out, const Command_line& command_line)
-{
-  const char* before = "Usage: ";
-  for (const std::string& line : manual::synopsis) {
-    out << before << program_name << ' ' << line << '\n';
-    before = "       ";
-  }
-  for (const std::string& paragraph : manual::description)
-    out << '\n' << wrap(paragraph, 0);
-  for (const options::options_description& group : command_line.groups)
-    out << '\n' << group;
-  const auto print_terms = [&](const char* title, const auto& terms) {
-    out << '\n' << title << ":\n";
-    for (const auto& [term, text] : terms)
-      out << "  " << term << std::string(10 - term.size(), ' ') << wrap(text, 12);
-  };
-  print_terms("Formats", manual::formats);
-  for (const std::string& paragraph : manual::on_formats)
-    out << '\n' << wrap(paragraph, 0);
-  print_terms("Exit status", manual::exit_status);
-}
-
-/// A line as the language of manual pages has it
-inline std::string to_roff(const std::string& text)
-{
-  std::string roff;
-  for (const char c : text)
-    if (c == '\\')
-      roff += "\\e";
-    else if (c == '-')
-      roff += "\\-";
-    else if (c == '\'')
-      roff += "\\(aq";
-    else
-      roff += c;
-  return (!text.empty() && text[0] == '.' ? "\\&" : "") + roff;
-}
-
-/// A paragraph in the same language, in short lines
-inline std::string paragraph_to_roff(const std::string& text)
-{
-  std::istringstream lines(wrap(text, 0));
-  std::string roff, line;
-  while (std::getline(lines, line))
-    roff += to_roff(line) + '\n';
-  return roff;
-}
-
+/// The same, and more, in the language of manual pages
 /// \param date of the page, for its foot
-inline void print_manual_page(std::ostream& out, const Command_line& command_line,
-                              const std::string& date)
-{
-  const std::string name = to_roff(program_name);
-  out << ".\\\" SPDX-License-Identifier: GPL-3.0-or-later\n"
-      << ".TH BALANCED\\-FLOW\\-SMOOTH 1 \"" << date << "\" \"" << name << ' '
-      << POINT_SET_FLOW_VERSION << "\" \"User Commands\"\n"
-      << ".SH NAME\n"
-      << name << " \\- " << to_roff(manual::summary) << "\n.SH SYNOPSIS\n";
-  const char* between = "";
-  for (const std::string& line : manual::synopsis) {
-    out << between << ".B " << name << "\n" << to_roff(line) << '\n';
-    between = ".br\n";
-  }
-  out << ".SH DESCRIPTION\n";
-  between = "";
-  for (const std::string& paragraph : manual::description) {
-    out << between << paragraph_to_roff(paragraph);
-    between = ".PP\n";
-  }
-  out << ".SH OPTIONS\n";
-  for (const options::options_description& group : command_line.groups) {
-    std::ostringstream caption; // the only way to it
-    caption << group;
-    out << ".SS " << to_roff(caption.str().substr(0, caption.str().find(':'))) << '\n';
-    for (const auto& option : group.options()) {
-      const Option_name parts(*option);
-      out << ".TP\n\\fB" << to_roff(parts.short_name)
-          << (parts.short_name.empty() ? "" : "\\fR, \\fB") << to_roff(parts.long_name) << "\\fR";
-      if (!parts.argument.empty())
-        out << (parts.argument_is_optional ? "[=" : " ") << "\\fI" << to_roff(parts.argument)
-            << "\\fR" << (parts.argument_is_optional ? "]" : "");
-      out << '\n' << paragraph_to_roff(option->description());
-    }
-  }
-  const auto print_terms = [&](const char* title, const auto& terms) {
-    out << ".SH " << title << '\n';
-    for (const auto& [term, text] : terms)
-      out << ".TP\n.B " << to_roff(term) << '\n' << paragraph_to_roff(text);
-  };
-  print_terms("FORMATS", manual::formats);
-  for (const std::string& paragraph : manual::on_formats)
-    out << ".PP\n" << paragraph_to_roff(paragraph);
-  print_terms("EXIT STATUS", manual::exit_status);
-  print_terms("EXAMPLES", manual::examples);
-  out << ".SH SEE ALSO\n"
-      << "C. Xiao, Y. Miao, S. Liu and Q. Peng,\n"
-      << ".I A dynamic balanced flow for filtering point\\-sampled geometry,\n"
-      << "The Visual Computer 22, 2006.\n"
-      << ".PP\n.BR pdal (1)\n";
-}
+void print_manual_page(std::ostream& out, const Command_line& command_line,
+                       const std::string& date);
+
+} // namespace balanced_flow_smooth
 
 #endif // BALANCED_FLOW_SMOOTH_PRINT_MANUAL_H

@@ -1,63 +1,60 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#ifndef BALANCED_FLOW_SMOOTH_FORMAT_H
-#define BALANCED_FLOW_SMOOTH_FORMAT_H
+#ifndef POINT_FILES_FORMAT_H
+#define POINT_FILES_FORMAT_H
 
-#include <algorithm>
-#include <cctype>
-#include <cstddef>
 #include <filesystem>
-#include <optional>
-#include <stdexcept>
+#include <memory>
 #include <string>
+#include <vector>
 
-enum class Format { PLY, XYZ, OFF, LAS, LAZ };
-constexpr const char* format_names[] = {"ply", "xyz", "off", "las", "laz"};
-inline std::string name_of(Format format) { return format_names[std::size_t(format)]; }
+namespace point_files {
 
-inline bool is_las(Format format) { return format == Format::LAS || format == Format::LAZ; }
+class Point_file;
+struct Target;
 
-/// whether a file of one format can be written as one of the other with nothing else changed
-inline bool same_kind(Format a, Format b) { return a == b || (is_las(a) && is_las(b)); }
+/// A format of point files, and all that is to be known of it outside of its own file in the folder
+/// `formats`. Formats are compared by their address in `all_formats()`.
+struct Format {
+  std::string name;                    // of options and reports, and the usual extension
+  std::vector<std::string> extensions; // other ones
+  std::string family;          // within it, a file changes its format and nothing else is lost
+  std::string magic;           // the first bytes of all files; empty if they differ
+  std::string library;         // the optional one that it needs; empty if there is none
+  std::string columns_warning; // for files of other formats that have columns
 
-/// Standard input and output are called so.
-inline bool is_standard_stream(const std::filesystem::path& path) { return path == "-"; }
+  /// Whether bytes without the magic of any format look like a file of this one; may be null.
+  bool (*recognizes)(const std::string& bytes) = nullptr;
 
-inline std::optional<Format> find_format(std::string name)
-{
-  std::transform(name.begin(), name.end(), name.begin(),
-                 [](unsigned char c) { return char(std::tolower(c)); });
-  for (std::size_t i = 0; i < 5; ++i)
-    if (name == format_names[i])
-      return Format(i);
-  if (name == "pwn" || name == "txt" || name == "pts")
-    return Format::XYZ;
-  return std::nullopt;
-}
+  /// Makes a file of its bytes; null if the program was built without the library.
+  /// \param with_normals whether normals are wanted even if there are none in the file
+  std::unique_ptr<Point_file> (*read)(std::string bytes, bool with_normals) = nullptr;
 
-inline Format format_of(const std::filesystem::path& path)
-{
-  const std::string extension = path.extension().string();
-  if (const auto format = find_format(extension.substr((std::min)(extension.size(), size_t(1)))))
-    return *format;
-  throw std::runtime_error("the format \"" + extension +
-                           "\" is not known (ply, xyz, pwn, txt, pts, off, las, laz)");
-}
+  /// The same from a file on the disk, for those who need not have all of its bytes; may be null.
+  std::unique_ptr<Point_file> (*read_path)(const std::filesystem::path& path,
+                                           bool with_normals) = nullptr;
 
-/// Guesses the format from how a file begins.
-inline Format format_of_bytes(const std::string& bytes)
-{
-  if (bytes.compare(0, 3, "ply") == 0)
-    return Format::PLY;
-  if (bytes.compare(0, 4, "LASF") == 0)
-    return Format::LAS;
-  if (bytes.substr(0, 200).find("OFF") != std::string::npos)
-    return Format::OFF;
-  const auto is_control = [](unsigned char c) { return c < ' ' && !std::isspace(c); };
-  if (std::any_of(bytes.begin(),
-                  bytes.begin() + std::ptrdiff_t((std::min)(bytes.size(), size_t(200))),
-                  is_control))
-    throw std::runtime_error("the format can not be guessed: use --format");
-  return Format::XYZ;
-}
+  /// Writes the points, normals and columns of a file of another family.
+  void (*write)(const Target& target, const Point_file& file) = nullptr;
+};
 
-#endif // BALANCED_FLOW_SMOOTH_FORMAT_H
+inline bool are_of_one_family(const Format& a, const Format& b) { return a.family == b.family; }
+
+/// The table of all formats
+const std::vector<Format>& all_formats();
+
+/// The format of that name or extension, in any case of letters; null if there is none.
+const Format* find_format(std::string name);
+
+/// The format that the extension of a name tells; throws `std::runtime_error` if it tells none.
+const Format& format_of(const std::filesystem::path& path);
+
+/// Guesses the format from how a file begins: text is XYZ if no other format recognizes it. Throws
+/// `std::runtime_error` if the bytes are no text, either.
+const Format& format_of_bytes(const std::string& bytes);
+
+/// Throws `std::runtime_error` if this build has not the library that the format needs.
+void check_support(const Format& format);
+
+} // namespace point_files
+
+#endif // POINT_FILES_FORMAT_H

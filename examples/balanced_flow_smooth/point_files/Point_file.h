@@ -1,20 +1,20 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#ifndef BALANCED_FLOW_SMOOTH_POINT_FILE_H
-#define BALANCED_FLOW_SMOOTH_POINT_FILE_H
+#ifndef POINT_FILES_POINT_FILE_H
+#define POINT_FILES_POINT_FILE_H
 
 #include "Format.h"
 #include "Layout.h"
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 
-#include <cmath>
+#include <cstddef>
 #include <filesystem>
 #include <functional>
 #include <ostream>
-#include <sstream>
-#include <stdexcept>
 #include <string>
 #include <vector>
+
+namespace point_files {
 
 typedef CGAL::Exact_predicates_inexact_constructions_kernel Kernel;
 typedef Kernel::Point_3 Point_3;
@@ -30,12 +30,13 @@ struct Record {
 struct Target {
   std::ostream& out;
   std::filesystem::path path; // of the stream; empty if that is no file
-  Format format;
+  const Format& format;
 };
 
 /// A file of points: what it holds stays as it is, and beside it are its points, to be moved.
 class Point_file {
 public:
+  const Format* format = nullptr; // which this file is one of, set by `read_point_file()`
   std::vector<Point_3> points;
   std::vector<Vector_3> normals; // empty if there are none
   std::vector<std::string> warnings;
@@ -60,38 +61,14 @@ public:
   void add_normals() { normals.resize(points.size(), CGAL::NULL_VECTOR); }
 
   /// the mean distance of the points from where they are in the file
-  double mean_movement() const
-  {
-    double total = 0.;
-    std::size_t i = 0;
-    for_each_record(false, [&](const Record& r) {
-      const Point_3& p = points[i++];
-      total +=
-          std::hypot(p.x() - r.coordinates[0], p.y() - r.coordinates[1], p.z() - r.coordinates[2]);
-    });
-    return points.empty() ? 0. : total / double(points.size());
-  }
+  double mean_movement() const;
 
 protected:
-  void load(std::size_t count, bool with_normals)
-  {
-    points.reserve(count);
-    normals.reserve(with_normals ? count : 0);
-    for_each_record(false, [&](const Record& r) {
-      const double *p = r.coordinates, *n = r.normal;
-      if (!(std::isfinite(p[0]) && std::isfinite(p[1]) && std::isfinite(p[2]))) {
-        std::ostringstream reason;
-        reason << "points[" << points.size() << "] is (" << p[0] << ", " << p[1] << ", " << p[2]
-               << "), but coordinates must be finite";
-        throw std::runtime_error(reason.str());
-      }
-      points.emplace_back(p[0], p[1], p[2]);
-      if (with_normals)
-        normals.emplace_back(n[0], n[1], n[2]);
-    });
-    if (points.empty())
-      throw std::runtime_error("there are no points in it");
-  }
+  /// Reads the points, and the normals if there are any; throws `std::runtime_error` if there are no
+  /// points, or if they are not finite.
+  void load(std::size_t count, bool with_normals);
 };
 
-#endif // BALANCED_FLOW_SMOOTH_POINT_FILE_H
+} // namespace point_files
+
+#endif // POINT_FILES_POINT_FILE_H

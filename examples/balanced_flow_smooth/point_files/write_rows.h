@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#ifndef BALANCED_FLOW_SMOOTH_CONVERT_H
-#define BALANCED_FLOW_SMOOTH_CONVERT_H
+#ifndef POINT_FILES_WRITE_ROWS_H
+#define POINT_FILES_WRITE_ROWS_H
 
 #include "Point_file.h"
 
@@ -8,6 +8,8 @@
 #include <ostream>
 #include <string>
 #include <vector>
+
+namespace point_files {
 
 // From one format to another: points, normals and whatever else are numbers of points.
 
@@ -35,42 +37,9 @@ void write_rows(std::ostream& out, const Point_file& file, const Append& append,
   });
 }
 
-inline void append_column(std::string& row, Scalar type, double number)
-{
-  if (!row.empty())
-    row += ' ';
-  append_text(row, type, number);
-}
+/// Lines of text with blanks between the numbers
+void write_text_rows(std::ostream& out, const Point_file& file);
 
-inline void write_as_xyz(std::ostream& out, const Point_file& file)
-{
-  write_rows(out, file, append_column, "\n");
-}
+} // namespace point_files
 
-inline void write_as_off(std::ostream& out, const Point_file& file)
-{
-  out << (file.normals.empty() ? "OFF\n" : "NOFF\n") << file.points.size() << " 0 0\n";
-  write_rows(out, file, append_column, "\n");
-}
-
-inline void write_as_ply(std::ostream& out, const Point_file& file)
-{
-  const std::string type = name_of(file.coordinate_type());
-  out << "ply\nformat binary_little_endian 1.0\nelement vertex " << file.points.size() << '\n';
-  for (const char* name : {"x", "y", "z"})
-    out << "property " << type << ' ' << name << '\n';
-  for (const char* name : {"nx", "ny", "nz"})
-    if (!file.normals.empty())
-      out << "property " << type << ' ' << name << '\n';
-  for (const Property& column : file.columns())
-    out << "property " << name_of(column.type) << ' ' << column.name << '\n';
-  out << "end_header\n";
-  const std::uint16_t one = 1;
-  const bool swapped = reinterpret_cast<const char&>(one) != 1;
-  const auto append = [swapped](std::string& row, Scalar number_type, double number) {
-    append_bytes(row, number_type, number, swapped);
-  };
-  write_rows(out, file, append, "");
-}
-
-#endif // BALANCED_FLOW_SMOOTH_CONVERT_H
+#endif // POINT_FILES_WRITE_ROWS_H

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#ifndef BALANCED_FLOW_SMOOTH_LAS_FILE_H
-#define BALANCED_FLOW_SMOOTH_LAS_FILE_H
+#ifndef POINT_FILES_LAS_FILE_H
+#define POINT_FILES_LAS_FILE_H
 
+#include "../Point_file.h"
 #include "Las_record_format.h"
-#include "Point_file.h"
+#include "Spool_file.h"
 
 #include <pdal/Options.hpp>
 #include <pdal/PointTable.hpp>
@@ -17,37 +18,13 @@
 #include <filesystem>
 #include <fstream>
 #include <memory>
-#include <random>
 #include <string>
 #include <vector>
 
+namespace point_files {
+
 // LAS and LAZ through PDAL, which keeps what belongs to a point as dimensions of a view, and what is
 // in the header in the metadata of a table, from which its writer can take it.
-
-/// A file for PDAL, which reads and writes files only and has an opinion about "#" in their names
-class Spool_file {
-  std::filesystem::path m_path;
-
-public:
-  Spool_file()
-      : m_path(std::filesystem::temp_directory_path() /
-               ("balanced-flow-smooth." + std::to_string(std::random_device()()) + ".las"))
-  {}
-  ~Spool_file()
-  {
-    std::error_code ignored;
-    std::filesystem::remove(m_path, ignored);
-  }
-  Spool_file(const Spool_file&) = delete;
-  Spool_file& operator=(const Spool_file&) = delete;
-
-  const std::filesystem::path& path() const { return m_path; }
-
-  static bool is_needed_for(const std::filesystem::path& path)
-  {
-    return path.empty() || path.string().find('#') != std::string::npos;
-  }
-};
 
 namespace las {
 
@@ -78,7 +55,7 @@ inline void write_view(const Target& target, pdal::PointTable& table, pdal::Poin
   const std::string extra = format.extra_dimensions(*table.layout());
   if (!extra.empty())
     options.add("extra_dims", extra);
-  options.add("compression", target.format == Format::LAZ ? "true" : "none");
+  options.add("compression", target.format.name == "laz" ? "true" : "none");
 
   pdal::BufferReader buffer;
   buffer.addView(view);
@@ -224,39 +201,6 @@ private:
   }
 };
 
-/// Writes the points of another format; its columns become dimensions by their names.
-inline void write_as_las(const Target& target, const Point_file& file)
-{
-  pdal::PointTable table;
-  for (const las::Id id : las::coordinates)
-    table.layout()->registerDim(id, pdal::Dimension::Type::Double);
-  for (const las::Id id : las::normals)
-    if (!file.normals.empty())
-      table.layout()->registerDim(id, pdal::Dimension::Type::Double);
-  std::vector<las::Id> ids;
-  for (const Property& column : file.columns())
-    ids.push_back(table.layout()->registerOrAssignDim(column.name, las::type_of(column.type)));
-  table.finalize();
+} // namespace point_files
 
-  const auto view = std::make_shared<pdal::PointView>(table);
-  pdal::PointId i = 0;
-  file.for_each_record(true, [&](const Record& record) {
-    las::set(*view, i, las::coordinates, file.points[i]);
-    if (!file.normals.empty())
-      las::set(*view, i, las::normals, file.normals[i]);
-    for (std::size_t c = 0; c < ids.size(); ++c)
-      view->setField(ids[c], i, record.values[c]);
-    ++i;
-  });
-  pdal::Options options;
-  for (const char* axis : {"x", "y", "z"}) {
-    options.add(std::string("scale_") + axis, "auto"); // all 31 bits
-    options.add(std::string("offset_") + axis, "auto");
-  }
-  const las::Record_format format;
-  options.add("minor_version", 4); // the first that describes extra dimensions
-  options.add("dataformat_id", format.id);
-  las::write_view(target, table, view, options, format);
-}
-
-#endif // BALANCED_FLOW_SMOOTH_LAS_FILE_H
+#endif // POINT_FILES_LAS_FILE_H

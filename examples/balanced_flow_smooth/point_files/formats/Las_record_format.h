@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#ifndef BALANCED_FLOW_SMOOTH_LAS_RECORD_FORMAT_H
-#define BALANCED_FLOW_SMOOTH_LAS_RECORD_FORMAT_H
+#ifndef POINT_FILES_LAS_RECORD_FORMAT_H
+#define POINT_FILES_LAS_RECORD_FORMAT_H
 
 #include <pdal/PointLayout.hpp>
 
@@ -10,7 +10,7 @@
 #include <initializer_list>
 #include <string>
 
-namespace las {
+namespace point_files::las {
 
 typedef pdal::Dimension::Id Id;
 
@@ -62,6 +62,6 @@ struct Record_format {
   }
 };
 
-} // namespace las
+} // namespace point_files::las
 
-#endif // BALANCED_FLOW_SMOOTH_LAS_RECORD_FORMAT_H
+#endif // POINT_FILES_LAS_RECORD_FORMAT_H

@@ -1,16 +1,22 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#ifndef BALANCED_FLOW_SMOOTH_READ_PLY_H
-#define BALANCED_FLOW_SMOOTH_READ_PLY_H
-
+// PLY, as text or binary of either byte order
+#include "../Record_cursor.h"
+#include "../write_rows.h"
 #include "Ply_header.h"
-#include "Raw_file.h"
+#include "all_formats.h"
 
-#include <algorithm>
 #include <cstddef>
+#include <memory>
+#include <stdexcept>
 #include <string>
+#include <utility>
+
+namespace point_files {
+
+namespace {
 
 /// Skips the records of an element; throws if they are not all there.
-inline void skip_element(const Ply_element& element, Encoding encoding, Place& place)
+void skip_element(const Ply_element& element, Encoding encoding, Place& place)
 {
   const auto fail = [&](std::size_t found) {
     throw std::runtime_error("this is not a complete PLY file: it ends after " +
@@ -48,7 +54,7 @@ inline void skip_element(const Ply_element& element, Encoding encoding, Place& p
   }
 }
 
-inline Anatomy read_ply(std::string bytes)
+Anatomy parse(std::string bytes)
 {
   Anatomy file;
   const Ply_header header(bytes);
@@ -81,4 +87,38 @@ inline Anatomy read_ply(std::string bytes)
   return file;
 }
 
-#endif // BALANCED_FLOW_SMOOTH_READ_PLY_H
+void write_ply(const Target& target, const Point_file& file)
+{
+  std::ostream& out = target.out;
+  const std::string type = name_of(file.coordinate_type());
+  out << "ply\nformat binary_little_endian 1.0\nelement vertex " << file.points.size() << '\n';
+  for (const char* name : {"x", "y", "z"})
+    out << "property " << type << ' ' << name << '\n';
+  for (const char* name : {"nx", "ny", "nz"})
+    if (!file.normals.empty())
+      out << "property " << type << ' ' << name << '\n';
+  for (const Property& column : file.columns())
+    out << "property " << name_of(column.type) << ' ' << column.name << '\n';
+  out << "end_header\n";
+  const bool swapped = !is_little_endian();
+  const auto append = [swapped](std::string& row, Scalar number_type, double number) {
+    append_bytes(row, number_type, number, swapped);
+  };
+  write_rows(out, file, append, "");
+}
+
+} // namespace
+
+Format ply_format()
+{
+  Format format;
+  format.name = format.family = "ply";
+  format.magic = "ply";
+  format.read = [](std::string bytes, bool) -> std::unique_ptr<Point_file> {
+    return std::make_unique<Raw_file>(parse(std::move(bytes)));
+  };
+  format.write = write_ply;
+  return format;
+}
+
+} // namespace point_files
