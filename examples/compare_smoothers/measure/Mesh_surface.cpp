@@ -15,6 +15,8 @@
 #include <cmath>
 #include <utility>
 
+namespace comparison {
+
 struct Mesh_surface::Trees {
   typedef std::vector<Kernel::Segment_3> Segments;
 #if CGAL_VERSION_NR >= 1060000000
@@ -129,3 +131,5 @@ double Mesh_surface::distance_to_sharp_edge(const Point_3& p) const
   return m_trees->sharp_segments.empty() ? Surface::distance_to_sharp_edge(p)
                                          : std::sqrt(m_trees->sharp_edges.squared_distance(p));
 }
+
+} // namespace comparison

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#ifndef POINT_SET_FLOW_COMPARISON_MESH_SURFACE_H
-#define POINT_SET_FLOW_COMPARISON_MESH_SURFACE_H
+#ifndef COMPARISON_MESH_SURFACE_H
+#define COMPARISON_MESH_SURFACE_H
 
 #include "Surface.h"
 
@@ -8,6 +8,8 @@
 
 #include <array>
 #include <memory>
+
+namespace comparison {
 
 typedef CGAL::Surface_mesh<Point_3> Mesh;
 
@@ -55,4 +57,6 @@ public:
   }
 };
 
-#endif // POINT_SET_FLOW_COMPARISON_MESH_SURFACE_H
+} // namespace comparison
+
+#endif // COMPARISON_MESH_SURFACE_H

@@ -8,6 +8,8 @@
 
 #include <boost/iterator/counting_iterator.hpp>
 
+namespace comparison {
+
 struct Nearest_points::Search {
   typedef CGAL::Pointer_property_map<Point_3>::const_type Map;
   typedef CGAL::Search_traits_adapter<std::size_t, Map, CGAL::Search_traits_3<Kernel>> Traits;
@@ -49,3 +51,5 @@ std::pair<std::size_t, double> Nearest_points::operator()(const Point_3& p) cons
 {
   return *(*m_search)(p, 1).begin();
 }
+
+} // namespace comparison

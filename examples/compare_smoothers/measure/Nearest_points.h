@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#ifndef POINT_SET_FLOW_COMPARISON_NEAREST_POINTS_H
-#define POINT_SET_FLOW_COMPARISON_NEAREST_POINTS_H
+#ifndef COMPARISON_NEAREST_POINTS_H
+#define COMPARISON_NEAREST_POINTS_H
 
 #include "Surface.h"
 
 #include <memory>
 #include <utility>
+
+namespace comparison {
 
 /// The nearest points of a set, by their numbers.
 class Nearest_points {
@@ -21,4 +23,6 @@ public:
   std::pair<std::size_t, double> operator()(const Point_3& p) const;
 };
 
-#endif // POINT_SET_FLOW_COMPARISON_NEAREST_POINTS_H
+} // namespace comparison
+
+#endif // COMPARISON_NEAREST_POINTS_H

@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#ifndef POINT_SET_FLOW_COMPARISON_NOISE_MODELS_H
-#define POINT_SET_FLOW_COMPARISON_NOISE_MODELS_H
+#ifndef COMPARISON_NOISE_MODELS_H
+#define COMPARISON_NOISE_MODELS_H
 
 #include "Surface.h"
 
 #include <cmath>
 #include <random>
 #include <string>
+
+namespace comparison {
 
 /// Noisy points, and which of them are not outliers
 struct Noisy_points {
@@ -69,4 +71,6 @@ inline Noisy_points add_noise(const Points& clean, const std::string& model, dou
 /// The relative density of samples that vary tenfold over the shape
 inline double tenfold_density(const Point_3& p) { return std::pow(10., -.5 * (1. + p.y())); }
 
-#endif // POINT_SET_FLOW_COMPARISON_NOISE_MODELS_H
+} // namespace comparison
+
+#endif // COMPARISON_NOISE_MODELS_H

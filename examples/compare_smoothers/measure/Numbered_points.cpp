@@ -4,6 +4,8 @@
 #include <CGAL/mst_orient_normals.h>
 #include <CGAL/pca_estimate_normals.h>
 
+namespace comparison {
+
 template <typename ConcurrencyTag>
 Numbered_points with_normals(const Points& points, bool orient, unsigned int k)
 {
@@ -20,3 +22,5 @@ template Numbered_points with_normals<CGAL::Sequential_tag>(const Points&, bool,
 #ifdef CGAL_LINKED_WITH_TBB
 template Numbered_points with_normals<CGAL::Parallel_tag>(const Points&, bool, unsigned int);
 #endif
+
+} // namespace comparison

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#ifndef POINT_SET_FLOW_COMPARISON_NUMBERED_POINTS_H
-#define POINT_SET_FLOW_COMPARISON_NUMBERED_POINTS_H
+#ifndef COMPARISON_NUMBERED_POINTS_H
+#define COMPARISON_NUMBERED_POINTS_H
 
 #include "Surface.h"
 
@@ -8,6 +8,8 @@
 #include <CGAL/property_map.h>
 
 #include <tuple>
+
+namespace comparison {
 
 /// Points with normals, which find back to their place when CGAL reorders them
 typedef std::tuple<Point_3, Vector_3, std::size_t> Numbered_point;
@@ -34,4 +36,6 @@ inline Vectors normals_in_order(const Numbered_points& points)
   return normals;
 }
 
-#endif // POINT_SET_FLOW_COMPARISON_NUMBERED_POINTS_H
+} // namespace comparison
+
+#endif // COMPARISON_NUMBERED_POINTS_H

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#ifndef POINT_SET_FLOW_COMPARISON_POINT_SURFACE_H
-#define POINT_SET_FLOW_COMPARISON_POINT_SURFACE_H
+#ifndef COMPARISON_POINT_SURFACE_H
+#define COMPARISON_POINT_SURFACE_H
 
 #include "Nearest_points.h"
 #include "Numbered_points.h"
+
+namespace comparison {
 
 /// Clean points as the true surface: the plane of the nearest one, with its PCA normal (k=18, MST
 /// orientation). Sharp edges are not known.
@@ -29,4 +31,6 @@ public:
   const Vectors& normals() const { return m_normals; }
 };
 
-#endif // POINT_SET_FLOW_COMPARISON_POINT_SURFACE_H
+} // namespace comparison
+
+#endif // COMPARISON_POINT_SURFACE_H

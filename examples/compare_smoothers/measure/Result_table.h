@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#ifndef POINT_SET_FLOW_COMPARISON_RESULT_TABLE_H
-#define POINT_SET_FLOW_COMPARISON_RESULT_TABLE_H
+#ifndef COMPARISON_RESULT_TABLE_H
+#define COMPARISON_RESULT_TABLE_H
 
 #include <algorithm>
 #include <cmath>
@@ -10,6 +10,8 @@
 #include <string>
 #include <utility>
 #include <vector>
+
+namespace comparison {
 
 /// Rows of named numbers. What is not known is NaN; columns with nothing else are left out.
 class Result_table {
@@ -42,22 +44,42 @@ public:
     }
   }
 
+  /// The names of the columns that are not left out
+  std::vector<std::string> columns() const
+  {
+    std::vector<std::string> used;
+    for (std::size_t c = 0; c < m_columns.size(); ++c)
+      if (is_used(c))
+        used.push_back(m_columns[c]);
+    return used;
+  }
+
+  /// Calls `visit` with the name of each row and its numbers in `columns()`.
+  template <typename Visit>
+  void for_each_row(const Visit& visit) const
+  {
+    for (const auto& row : m_rows) {
+      std::vector<double> numbers;
+      for (std::size_t c = 0; c < m_columns.size(); ++c)
+        if (is_used(c))
+          numbers.push_back(row.second[c]);
+      visit(row.first, numbers);
+    }
+  }
+
   /// Calls `write_row` with the texts of the head and of each row.
   template <typename Write_row>
   void for_each_line(const char* unknown, const Write_row& write_row) const
   {
-    std::vector<std::string> line = {"method"};
-    for (std::size_t c = 0; c < m_columns.size(); ++c)
-      if (is_used(c))
-        line.push_back(m_columns[c]);
+    std::vector<std::string> line = columns();
+    line.insert(line.begin(), "method");
     write_row(line);
-    for (const auto& row : m_rows) {
-      line = {row.first};
-      for (std::size_t c = 0; c < m_columns.size(); ++c)
-        if (is_used(c))
-          line.push_back(text(row.second[c], unknown));
+    for_each_row([&](const std::string& name, const std::vector<double>& numbers) {
+      line = {name};
+      for (const double number : numbers)
+        line.push_back(text(number, unknown));
       write_row(line);
-    }
+    });
   }
 
   /// Not known is an empty field, which spreadsheets understand.
@@ -92,4 +114,6 @@ public:
   }
 };
 
-#endif // POINT_SET_FLOW_COMPARISON_RESULT_TABLE_H
+} // namespace comparison
+
+#endif // COMPARISON_RESULT_TABLE_H

@@ -6,6 +6,8 @@
 #include <CGAL/jet_smooth_point_set.h>
 #include <CGAL/wlop_simplify_and_regularize_point_set.h>
 
+namespace comparison {
+
 Smoothed jet(const Points& noisy, unsigned int k, int times)
 {
   Smoothed result{noisy, {}};
@@ -83,3 +85,5 @@ Smoothed point_set_flow(const Points& noisy, unsigned int k)
   CGAL::balanced_flow_smooth_point_set<Concurrency_tag>(result.points, k);
   return result;
 }
+
+} // namespace comparison

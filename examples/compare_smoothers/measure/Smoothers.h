@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#ifndef POINT_SET_FLOW_COMPARISON_SMOOTHERS_H
-#define POINT_SET_FLOW_COMPARISON_SMOOTHERS_H
+#ifndef COMPARISON_SMOOTHERS_H
+#define COMPARISON_SMOOTHERS_H
 
 #include "Numbered_points.h"
 
@@ -8,6 +8,8 @@
 
 #include <algorithm>
 #include <cmath>
+
+namespace comparison {
 
 /// The smoothers that are compared, each from points to points.
 
@@ -50,4 +52,6 @@ Smoothed point_set_flow(const Points& noisy);
 /// This package with a neighborhood size.
 Smoothed point_set_flow(const Points& noisy, unsigned int k);
 
-#endif // POINT_SET_FLOW_COMPARISON_SMOOTHERS_H
+} // namespace comparison
+
+#endif // COMPARISON_SMOOTHERS_H

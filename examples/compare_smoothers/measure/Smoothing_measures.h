@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#ifndef POINT_SET_FLOW_COMPARISON_SMOOTHING_MEASURES_H
-#define POINT_SET_FLOW_COMPARISON_SMOOTHING_MEASURES_H
+#ifndef COMPARISON_SMOOTHING_MEASURES_H
+#define COMPARISON_SMOOTHING_MEASURES_H
 
 #include "Nearest_points.h"
 #include "Numbered_points.h"
 
 #include <algorithm>
 #include <cmath>
+
+namespace comparison {
 
 /// What is measured of smoothed points. Lengths are in the unit of the points, angles in degrees.
 /// All measures run in one thread, so that nothing of theirs is in the way of a process that forks.
@@ -141,4 +143,6 @@ inline double roughness(const Points& points)
   return sum.rms();
 }
 
-#endif // POINT_SET_FLOW_COMPARISON_SMOOTHING_MEASURES_H
+} // namespace comparison
+
+#endif // COMPARISON_SMOOTHING_MEASURES_H

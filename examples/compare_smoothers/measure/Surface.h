@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#ifndef POINT_SET_FLOW_COMPARISON_SURFACE_H
-#define POINT_SET_FLOW_COMPARISON_SURFACE_H
+#ifndef COMPARISON_SURFACE_H
+#define COMPARISON_SURFACE_H
 
 #include <CGAL/Simple_cartesian.h>
 
 #include <cstddef>
 #include <limits>
 #include <vector>
+
+namespace comparison {
 
 typedef CGAL::Simple_cartesian<double> Kernel;
 typedef Kernel::Point_3 Point_3;
@@ -48,4 +50,6 @@ inline void find_samples_near_edges(Samples& samples, const Surface& surface, do
     samples.near_edge.push_back(surface.distance_to_sharp_edge(p) <= distance);
 }
 
-#endif // POINT_SET_FLOW_COMPARISON_SURFACE_H
+} // namespace comparison
+
+#endif // COMPARISON_SURFACE_H

@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#ifndef POINT_SET_FLOW_COMPARISON_MEASURE_H
-#define POINT_SET_FLOW_COMPARISON_MEASURE_H
+#ifndef COMPARISON_MEASURE_H
+#define COMPARISON_MEASURE_H
 
 #include "Result_table.h"
 #include "Smoothers.h"
 #include "Smoothing_measures.h"
 
 #include <memory>
+
+namespace comparison {
 
 /// Noisy points in the unit sphere, and what is known of the truth.
 struct Noisy_data {
@@ -61,4 +63,6 @@ inline Result_table::Named_numbers measure(const Noisy_data& data, const Smoothe
           {"MB", megabytes}};
 }
 
-#endif // POINT_SET_FLOW_COMPARISON_MEASURE_H
+} // namespace comparison
+
+#endif // COMPARISON_MEASURE_H

@@ -9,6 +9,8 @@
 #include <CGAL/Polygon_mesh_processing/repair_polygon_soup.h>
 #include <CGAL/Polygon_mesh_processing/triangulate_faces.h>
 
+namespace comparison {
+
 namespace {
 
 /// Turns the faces of closed components so that the normals point outwards.
@@ -64,3 +66,5 @@ std::optional<Mesh> read_mesh(const std::string& file, Unit_sphere_map& to_unit_
   to_unit_sphere.apply(points);
   return make_mesh(std::move(points), std::move(polygons));
 }
+
+} // namespace comparison

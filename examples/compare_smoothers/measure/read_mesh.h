@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#ifndef POINT_SET_FLOW_COMPARISON_READ_MESH_H
-#define POINT_SET_FLOW_COMPARISON_READ_MESH_H
+#ifndef COMPARISON_READ_MESH_H
+#define COMPARISON_READ_MESH_H
 
 #include "Mesh_surface.h"
 
 #include <algorithm>
 #include <optional>
 #include <string>
+
+namespace comparison {
 
 typedef std::vector<std::vector<std::size_t>> Polygons;
 
@@ -49,4 +51,6 @@ std::optional<Mesh> make_mesh(Points points, Polygons polygons);
 /// Reads a mesh; empty if the file has none, or one that can not be mended.
 std::optional<Mesh> read_mesh(const std::string& file, Unit_sphere_map& to_unit_sphere);
 
-#endif // POINT_SET_FLOW_COMPARISON_READ_MESH_H
+} // namespace comparison
+
+#endif // COMPARISON_READ_MESH_H

@@ -6,15 +6,15 @@ function unpacked({ low, high, data }) {
   const bytes = atob(data), numbers = new Float32Array(bytes.length / 2);
   const step = (high - low) / 65535;
   for (let i = 0; i < numbers.length; ++i)
-    numbers[i] = +low + step * (bytes.charCodeAt(2 * i) | (bytes.charCodeAt(2 * i + 1) << 8));
+    numbers[i] = low + step * (bytes.charCodeAt(2 * i) | (bytes.charCodeAt(2 * i + 1) << 8));
   return numbers;
 }
 
-/// A cloud with arrays that the renderer draws: all its numbers were texts
+/// A cloud with arrays that the renderer draws
 function read_cloud(packed) {
   const cloud = {
-    name: packed.name, title: packed.title, shown: packed.shown === "true",
-    points: +packed.points, drawn: +packed.drawn, spacing: +packed.spacing, values: {},
+    name: packed.name, title: packed.title, shown: packed.shown,
+    points: packed.points, drawn: packed.drawn, spacing: packed.spacing, values: {},
   };
   const columns = ["x", "y", "z", "normal_x", "normal_y"].map(name => unpacked(packed[name]));
   const [x, y, z, nx, ny] = columns;
@@ -35,7 +35,7 @@ function read_cloud(packed) {
 function read_data() {
   const data = JSON.parse(document.getElementById("data").textContent);
   return {
-    input: data.input, radius: +data.radius, noise: data.noise === undefined ? null : +data.noise,
+    input: data.input, radius: data.radius, noise: data.noise === undefined ? null : data.noise,
     clouds: data.clouds.map(read_cloud), columns: data.table[0], rows: data.table.slice(1),
   };
 }

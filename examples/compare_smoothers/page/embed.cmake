@@ -20,12 +20,11 @@ file(READ ${page_file} page HEX)
 string(LENGTH "${page}" page_size)
 math(EXPR page_size "${page_size} / 2")
 string(REGEX REPLACE "([0-9a-f][0-9a-f])" "0x\\1," page "${page}")
-file(CONFIGURE OUTPUT comparison_page.cpp @ONLY CONTENT
+file(CONFIGURE OUTPUT page_template.cpp @ONLY CONTENT
 "// Made by embed.cmake. SPDX-License-Identifier: GPL-3.0-or-later
-#include <string>
+#include \"page/page_template.h\"
 static const unsigned char page[@page_size@] = {@page@};
-std::string comparison_page_template();
-std::string comparison_page_template() { return std::string(page, page + @page_size@); }
+std::string comparison::page_template() { return std::string(page, page + @page_size@); }
 ")
 list(TRANSFORM page_parts PREPEND ${page_dir}/)
 set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${page_parts} ${page_dir}/page.html.in)

@@ -18,10 +18,10 @@ const element = (name, text = "", properties = {}) =>
 
 const shown_title = title => title === "none" ? "noisy, as given" : title;
 
-/// The table's cell of a row and a column by its name; not a number if it has none
+/// The table's cell of a row and a column by its name; not a number if it has none or is empty
 function number_of({ columns: names, rows }, title, column) {
   const row = rows.find(([name]) => name === title), at = names.indexOf(column);
-  return row && at > 0 && row[at] !== "" ? +row[at] : NaN;
+  return row && at > 0 && row[at] !== null ? row[at] : NaN;
 }
 
 function write_numbers(data) {
