@@ -4,7 +4,7 @@
 
 #include "Peers.h"
 
-#include "comparison/Noise_models.h"
+#include "measure/Noise_models.h"
 
 #include <CGAL/jet_estimate_normals.h>
 

@@ -2,8 +2,8 @@
 #ifndef POINT_SET_FLOW_BENCHMARK_APSS_H
 #define POINT_SET_FLOW_BENCHMARK_APSS_H
 
-#include "comparison/Nearest_points.h"
-#include "comparison/Smoothers.h"
+#include "measure/Nearest_points.h"
+#include "measure/Smoothers.h"
 
 #include <CGAL/for_each.h>
 

@@ -2,7 +2,7 @@
 #ifndef POINT_SET_FLOW_BENCHMARK_BENCHMARK_SHAPES_H
 #define POINT_SET_FLOW_BENCHMARK_BENCHMARK_SHAPES_H
 
-#include "comparison/read_mesh.h"
+#include "measure/read_mesh.h"
 
 #include <memory>
 

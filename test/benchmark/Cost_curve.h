@@ -4,7 +4,7 @@
 
 #include "Targets.h"
 
-#include "comparison/Smoothing_measures.h"
+#include "measure/Smoothing_measures.h"
 
 #include <CGAL/Point_set_flow/estimate_point_set_scale.h>
 #include <CGAL/Real_timer.h>

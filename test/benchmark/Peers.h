@@ -4,7 +4,7 @@
 
 #include "Apss.h"
 
-#include "comparison/Smoothing_measures.h"
+#include "measure/Smoothing_measures.h"
 
 #include <string>
 

@@ -2,7 +2,7 @@
 #ifndef POINT_SET_FLOW_BENCHMARK_SPEED_CLOUDS_H
 #define POINT_SET_FLOW_BENCHMARK_SPEED_CLOUDS_H
 
-#include "comparison/Surface.h"
+#include "measure/Surface.h"
 
 #include <CGAL/hilbert_sort.h>
 #include <CGAL/number_type_config.h>

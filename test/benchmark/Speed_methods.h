@@ -2,7 +2,7 @@
 #ifndef POINT_SET_FLOW_BENCHMARK_SPEED_METHODS_H
 #define POINT_SET_FLOW_BENCHMARK_SPEED_METHODS_H
 
-#include "comparison/Numbered_points.h"
+#include "measure/Numbered_points.h"
 
 #include <CGAL/Point_set_processing_3/internal/Neighbor_query.h>
 #include <CGAL/balanced_flow_smooth_point_set.h>

@@ -2,7 +2,7 @@
 #ifndef POINT_SET_FLOW_BENCHMARK_SPEED_PHASES_H
 #define POINT_SET_FLOW_BENCHMARK_SPEED_PHASES_H
 
-#include "comparison/Surface.h"
+#include "measure/Surface.h"
 
 #include <CGAL/Real_timer.h>
 #include <CGAL/balanced_flow_smooth_point_set.h>

@@ -8,7 +8,7 @@
 #include "Cost_curve.h"
 #include "Outcome_table.h"
 
-#include "comparison/sample_mesh.h"
+#include "measure/sample_mesh.h"
 
 #include <boost/program_options.hpp>
 

@@ -7,7 +7,7 @@
 #include "Speed_methods.h"
 #include "Speed_phases.h"
 
-#include "comparison/run_in_child.h"
+#include "measure/run_in_child.h"
 
 #include <boost/program_options.hpp>
 

@@ -2,8 +2,8 @@
 #ifndef POINT_SET_FLOW_PAPER_FIGURE_H
 #define POINT_SET_FLOW_PAPER_FIGURE_H
 
-#include "comparison/Result_table.h"
-#include "comparison/Smoothing_measures.h"
+#include "measure/Result_table.h"
+#include "measure/Smoothing_measures.h"
 
 #include <array>
 #include <filesystem>

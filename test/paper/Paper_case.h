@@ -5,8 +5,8 @@
 #include "Figure.h"
 
 #include "../benchmark/Benchmark_shapes.h"
-#include "comparison/Noise_models.h"
-#include "comparison/sample_mesh.h"
+#include "measure/Noise_models.h"
+#include "measure/sample_mesh.h"
 
 /// What all experiments get.
 struct Run_settings {

@@ -2,7 +2,7 @@
 #ifndef POINT_SET_FLOW_PAPER_PAPER_FLOW_H
 #define POINT_SET_FLOW_PAPER_PAPER_FLOW_H
 
-#include "comparison/Smoothers.h"
+#include "measure/Smoothers.h"
 
 #include <CGAL/balanced_flow_smooth_point_set.h>
 

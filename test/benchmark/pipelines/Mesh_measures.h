@@ -2,8 +2,8 @@
 #ifndef POINT_SET_FLOW_BENCHMARK_MESH_MEASURES_H
 #define POINT_SET_FLOW_BENCHMARK_MESH_MEASURES_H
 
-#include "comparison/Mesh_surface.h"
-#include "comparison/Smoothing_measures.h"
+#include "measure/Mesh_surface.h"
+#include "measure/Smoothing_measures.h"
 
 #include <memory>
 

@@ -2,7 +2,7 @@
 #ifndef POINT_SET_FLOW_BENCHMARK_PIPELINES_H
 #define POINT_SET_FLOW_BENCHMARK_PIPELINES_H
 
-#include "comparison/Mesh_surface.h"
+#include "measure/Mesh_surface.h"
 
 #include <optional>
 

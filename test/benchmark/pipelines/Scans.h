@@ -6,8 +6,8 @@
 #include "Pipelines.h"
 
 #include "Benchmark_shapes.h"
-#include "comparison/Noise_models.h"
-#include "comparison/sample_mesh.h"
+#include "measure/Noise_models.h"
+#include "measure/sample_mesh.h"
 
 #include <CGAL/IO/read_points.h>
 #include <CGAL/remove_outliers.h>

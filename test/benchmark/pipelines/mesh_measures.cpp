@@ -2,8 +2,8 @@
 #include "Mesh_measures.h"
 #include "Epick_points.h"
 
-#include "comparison/read_mesh.h"
-#include "comparison/sample_mesh.h"
+#include "measure/read_mesh.h"
+#include "measure/sample_mesh.h"
 
 #include <CGAL/Polygon_mesh_processing/connected_components.h>
 #include <CGAL/Polygon_mesh_processing/stitch_borders.h>

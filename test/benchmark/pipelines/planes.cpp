@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Epick_points.h"
 
-#include "comparison/Numbered_points.h"
-#include "comparison/Smoothing_measures.h"
+#include "measure/Numbered_points.h"
+#include "measure/Smoothing_measures.h"
 
 #include <CGAL/Random.h>
 #include <CGAL/Shape_detection/Efficient_RANSAC.h>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Epick_points.h"
 
-#include "comparison/Smoothing_measures.h"
+#include "measure/Smoothing_measures.h"
 
 #include <CGAL/compute_average_spacing.h>
 #include <CGAL/mst_orient_normals.h>

@@ -2,7 +2,7 @@
 #ifndef POINT_SET_FLOW_PAPER_BASELINES_NEIGHBOR_LISTS_H
 #define POINT_SET_FLOW_PAPER_BASELINES_NEIGHBOR_LISTS_H
 
-#include "comparison/Nearest_points.h"
+#include "measure/Nearest_points.h"
 
 #include <cmath>
 #include <vector>

@@ -4,7 +4,7 @@
 
 #include "Neighbor_lists.h"
 
-#include "comparison/Numbered_points.h"
+#include "measure/Numbered_points.h"
 
 #include <algorithm>
 
