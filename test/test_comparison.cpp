@@ -12,6 +12,8 @@
 
 #include <boost/test/unit_test.hpp>
 
+using namespace comparison;
+
 namespace {
 
 /// Points all around the surface, inside and outside

@@ -10,6 +10,8 @@
 
 #include <map>
 
+namespace comparison {
+
 /// Samples of a shape with noise
 struct Accuracy_case {
   std::string group, shape, condition;
@@ -157,5 +159,7 @@ inline Outcome run_case(const Accuracy_case& what, const Surface& surface, const
   }
   return outcome;
 }
+
+} // namespace comparison
 
 #endif // POINT_SET_FLOW_BENCHMARK_ACCURACY_CASE_H

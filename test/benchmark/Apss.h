@@ -7,6 +7,8 @@
 
 #include <CGAL/for_each.h>
 
+namespace comparison {
+
 /// Algebraic point set surfaces (Guennebaud and Gross, SIGGRAPH 2007), a yardstick that CGAL does
 /// not have: each point is projected to the algebraic sphere that fits the points and normals
 /// around it.
@@ -96,5 +98,7 @@ inline Smoothed apss(const Points& noisy, const Vectors& normals, unsigned int k
     apss_project(result.points, result.normals, k);
   return result;
 }
+
+} // namespace comparison
 
 #endif // POINT_SET_FLOW_BENCHMARK_APSS_H

@@ -15,6 +15,8 @@
 #include <string>
 #include <vector>
 
+namespace comparison {
+
 /// What more or fewer steps and neighbors cost and bring, against one pass of jet smoothing with
 /// k = 24: means over all cases, one thread.
 class Cost_curve {
@@ -85,5 +87,7 @@ public:
     std::fflush(stdout);
   }
 };
+
+} // namespace comparison
 
 #endif // POINT_SET_FLOW_BENCHMARK_COST_CURVE_H

@@ -13,6 +13,8 @@
 #include <stdexcept>
 #include <string>
 
+namespace comparison {
+
 /// The radius of a sphere with bumps, in a direction
 inline double bumpy_radius(const Vector_3& direction)
 {
@@ -81,5 +83,7 @@ inline void put_in_order(Points& points, const std::string& order)
   else
     CGAL::hilbert_sort(points.begin(), points.end());
 }
+
+} // namespace comparison
 
 #endif // POINT_SET_FLOW_BENCHMARK_SPEED_CLOUDS_H

@@ -17,6 +17,8 @@
 #include <map>
 #include <vector>
 
+namespace comparison {
+
 /// Neighbors of all points, as many for each
 typedef std::vector<std::uint32_t> Neighbor_lists;
 
@@ -146,5 +148,7 @@ std::map<std::string, Speed_method> speed_methods()
       {"our graph", find_neighbors<Concurrency_tag>},
   };
 }
+
+} // namespace comparison
 
 #endif // POINT_SET_FLOW_BENCHMARK_SPEED_METHODS_H

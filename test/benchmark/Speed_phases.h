@@ -16,6 +16,8 @@
 #include <string>
 #include <vector>
 
+namespace comparison {
+
 struct Phase {
   std::string name;
   double work; // what it counts in the progress
@@ -105,5 +107,7 @@ inline Phases median_phases(const std::vector<Phases>& runs)
   }
   return medians;
 }
+
+} // namespace comparison
 
 #endif // POINT_SET_FLOW_BENCHMARK_SPEED_PHASES_H

@@ -12,6 +12,8 @@
 
 #include <boost/program_options.hpp>
 
+using namespace comparison;
+
 namespace options = boost::program_options;
 
 namespace {

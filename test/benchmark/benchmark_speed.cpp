@@ -17,6 +17,8 @@
 
 #include <fstream>
 
+using namespace comparison;
+
 namespace options = boost::program_options;
 
 namespace {

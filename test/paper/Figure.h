@@ -13,6 +13,8 @@
 #include <stdexcept>
 #include <string>
 
+namespace comparison {
+
 typedef std::vector<double> Numbers;
 typedef std::vector<std::array<std::size_t, 3>> Triangles;
 
@@ -137,5 +139,7 @@ private:
     return *middle;
   }
 };
+
+} // namespace comparison
 
 #endif // POINT_SET_FLOW_PAPER_FIGURE_H

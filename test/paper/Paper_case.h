@@ -8,6 +8,8 @@
 #include "measure/Noise_models.h"
 #include "measure/sample_mesh.h"
 
+namespace comparison {
+
 /// What all experiments get.
 struct Run_settings {
   std::filesystem::path folder;
@@ -106,5 +108,7 @@ inline std::string text(double value, int digits = 2)
   out << std::fixed << std::setprecision(digits) << value;
   return out.str();
 }
+
+} // namespace comparison
 
 #endif // POINT_SET_FLOW_PAPER_PAPER_CASE_H

@@ -8,6 +8,8 @@
 
 #include <functional>
 
+namespace comparison {
+
 /// A flow of any kind; one type, so that CGAL is compiled once for all of them. Since it has no
 /// `Uses_prefilter`, K is chosen from the prefiltered surface for all flows alike.
 typedef std::function<Vector_3(const CGAL::Point_set_flow::Flow_point_3&,
@@ -77,5 +79,7 @@ inline std::vector<Seen> what_flows_see(const Points& points, unsigned int k = 2
   }
   return seen;
 }
+
+} // namespace comparison
 
 #endif // POINT_SET_FLOW_PAPER_PAPER_FLOW_H

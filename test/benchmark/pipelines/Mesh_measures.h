@@ -7,6 +7,8 @@
 
 #include <memory>
 
+namespace comparison {
+
 /// What is known of the true surface: itself, or only points that lie on it but for their noise.
 struct Truth {
   std::shared_ptr<const Surface> surface;
@@ -29,5 +31,7 @@ struct Mesh_distances {
 };
 
 Mesh_distances distances_of(const Mesh& mesh, const Truth& truth, std::size_t samples, double far);
+
+} // namespace comparison
 
 #endif // POINT_SET_FLOW_BENCHMARK_MESH_MEASURES_H

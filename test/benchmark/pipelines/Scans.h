@@ -15,6 +15,8 @@
 #include <random>
 #include <stdexcept>
 
+namespace comparison {
+
 /// Points of a scanned surface and what is known of it
 struct Scan {
   std::string name;
@@ -89,5 +91,7 @@ inline Scan as_scanned(const std::string& name, const std::string& file)
     (random() % 10 == 0 ? scan.truth.points : scan.points).push_back(p);
   return scan;
 }
+
+} // namespace comparison
 
 #endif // POINT_SET_FLOW_BENCHMARK_SCANS_H

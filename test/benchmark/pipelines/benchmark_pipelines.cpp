@@ -16,6 +16,8 @@
 #include <iostream>
 #include <map>
 
+using namespace comparison;
+
 namespace options = boost::program_options;
 
 namespace {

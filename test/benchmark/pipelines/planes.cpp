@@ -9,6 +9,8 @@
 
 #include <tuple>
 
+namespace comparison {
+
 Plane_measures measure_planes(const Points& scan, const Points& smoothed, const Vectors& normals,
                               double epsilon, unsigned int runs)
 {
@@ -58,3 +60,5 @@ Plane_measures measure_planes(const Points& scan, const Points& smoothed, const 
     *value /= double(runs);
   return mean;
 }
+
+} // namespace comparison

@@ -10,6 +10,8 @@
 
 #include <map>
 
+namespace comparison {
+
 namespace {
 
 Vectors oriented_normals(const Points& points, Vectors normals, const Vectors& sides)
@@ -110,3 +112,5 @@ Reconstructed poisson(const Points& points, const Vectors& normals, const Vector
                        Epick::Vector_3(oriented[i].x(), oriented[i].y(), oriented[i].z()));
   return zero_set(input, CGAL::compute_average_spacing<CGAL::Parallel_if_available_tag>(points, 6));
 }
+
+} // namespace comparison

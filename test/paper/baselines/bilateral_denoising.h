@@ -8,6 +8,8 @@
 
 #include <algorithm>
 
+namespace comparison {
+
 /// The rms height of the neighbors above the tangent planes: median over the points. What Fleishman
 /// et al. take for sigma_s is this of a neighborhood that the user has pointed at, where the surface
 /// is smooth; the median needs no user.
@@ -66,5 +68,7 @@ inline Points bilateral_denoising(Points points, unsigned int k, int iterations,
   }
   return points;
 }
+
+} // namespace comparison
 
 #endif // POINT_SET_FLOW_PAPER_BASELINES_BILATERAL_DENOISING_H
