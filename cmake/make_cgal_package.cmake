@@ -102,7 +102,7 @@ copy_source(cmake/cgal_package/test_named_parameters.cpp test/Point_set_flow/tes
 file(GLOB test_files RELATIVE ${root}/test ${root}/test/*.cpp ${root}/test/*.h)
 foreach(file IN LISTS test_files)
   file(READ ${root}/test/${file} text)
-  if(text MATCHES "#include \"measure/")
+  if(text MATCHES "#include \"comparison/")
     continue()
   endif()
   copy_source(test/${file} test/Point_set_flow/${file})
