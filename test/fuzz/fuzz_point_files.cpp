@@ -59,7 +59,7 @@ bool try_bytes(const std::string& bytes)
   if (bytes.size() % 2 == 1)
     file->add_normals();
   for (const Format& to : all_formats()) {
-    if (!to.library.empty()) // it has its own fuzzers
+    if (!to.library.empty()) // no writer of ours
       continue;
     std::string written;
     try {
