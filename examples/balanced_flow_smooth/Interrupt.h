@@ -6,6 +6,9 @@
 
 #include <atomic>
 #include <csignal>
+#include <initializer_list>
+
+namespace balanced_flow_smooth {
 
 /// What Ctrl-C (SIGINT) and SIGTERM ask for: the number of the signal, or 0
 inline std::atomic<int> interrupt(0);
@@ -36,5 +39,7 @@ struct Nothing_at_stake {
   Nothing_at_stake() { may_end_at_once = true; }
   ~Nothing_at_stake() { may_end_at_once = false; }
 };
+
+} // namespace balanced_flow_smooth
 
 #endif // BALANCED_FLOW_SMOOTH_INTERRUPT_H

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Smooths the points of files and keeps everything else in them.
-#include "Command_line.h"
 #include "Interrupt.h"
+#include "Progress_bar.h"
 #include "Report.h"
-#include "point_file_io.h"
-#include "print_completion.h"
-#include "print_manual.h"
+#include "command_line/Command_line.h"
+#include "command_line/Manual.h"
+#include "command_line/print_completion.h"
+#include "command_line/print_manual.h"
+#include "point_files/point_file_io.h"
 #include "smooth.h"
 
 #include <CGAL/Real_timer.h>
@@ -16,6 +18,7 @@
 
 #include <unistd.h>
 
+#include <filesystem>
 #include <iostream>
 #include <memory>
 #include <new>
@@ -23,48 +26,36 @@
 #include <string>
 #include <vector>
 
+using namespace balanced_flow_smooth;
+
 namespace {
 
 enum Exit_code { SUCCESS = 0, BAD_USAGE = 1, BAD_FILE = 2, SIGNALLED = 128 };
 
 void complain(const std::string& what) { std::cerr << program_name << ": " << what << std::endl; }
 
-/// Draws a progress bar, at most ten times a second, and stops the run after Ctrl-C.
-class Progress_bar {
-  bool m_visible;
-  CGAL::Real_timer m_timer;
-  double m_drawn = -1.;
-
-public:
-  explicit Progress_bar(bool visible) : m_visible(visible) { m_timer.start(); }
-
-  bool operator()(double share)
-  {
-    if (m_visible && (share == 1. || m_timer.time() - m_drawn > .1)) {
-      m_drawn = m_timer.time();
-      const std::size_t width = 40, done = std::size_t(share * double(width));
-      std::cerr << "\r[" << std::string(done, '=') << std::string(width - done, ' ') << "] "
-                << int(100. * share) << "%" << (share == 1. ? "\n" : "") << std::flush;
-    }
-    return interrupt == 0;
-  }
-};
+std::unique_ptr<point_files::Point_file> read(const std::filesystem::path& input,
+                                              const Settings& settings)
+{
+  const Nothing_at_stake nothing_at_stake;
+  return point_files::read_point_file(input, settings.input_format, settings.normals);
+}
 
 /// Smooths one file.
 /// \return whether it is done: it is not after Ctrl-C
 bool run(const Settings& settings, File_report& report)
 {
   const auto& [input, output, keeps_format] = report.job;
-  std::optional<Format> format = settings.input_format, output_format = settings.output_format;
+  const point_files::Format* output_format = settings.output_format;
   if (!output_format && !keeps_format)
-    output_format = format_of(output);
+    output_format = &point_files::format_of(output);
   if (!settings.dry_run)
-    check_output(output, output_format);
-  const std::unique_ptr<Point_file> file = read_point_file(input, format, settings.normals);
+    point_files::check_output(output, output_format);
+  const std::unique_ptr<point_files::Point_file> file = read(input, settings);
   if (!output_format)
-    output_format = format;
-  report.format = name_of(*format);
-  report.output_format = name_of(*output_format);
+    output_format = file->format;
+  report.format = file->format->name;
+  report.output_format = output_format->name;
   report.points = file->points.size();
   if (settings.normals)
     file->add_normals();
@@ -86,12 +77,13 @@ bool run(const Settings& settings, File_report& report)
       report.mean_movement = file->mean_movement();
       report.last_movement = moved;
     }
-    warn_of_losses(*file, *format, *output_format);
+    point_files::warn_of_losses(*file, *output_format);
     report.warnings = file->warnings;
     if (!settings.quiet)
       for (const std::string& warning : report.warnings)
         std::cerr << "warning: " << warning << std::endl;
-    if (!write_point_file(output, *file, *format, *output_format))
+    if (!point_files::write_point_file(output, *file, *output_format,
+                                       [] { return interrupt != 0; }))
       return false;
   }
   report.seconds = timer.time();
@@ -131,6 +123,23 @@ int run_all(const Settings& settings)
   return code;
 }
 
+/// Prints what was asked for in place of smoothing.
+/// \return whether anything was
+bool print_information(const Command_line& command_line)
+{
+  if (command_line.has("help"))
+    print_help(std::cout, command_line);
+  else if (command_line.has("version"))
+    std::cout << program_name << ' ' << POINT_SET_FLOW_VERSION << std::endl;
+  else if (command_line.has("print-man"))
+    print_manual_page(std::cout, command_line, command_line.text("print-man"));
+  else if (command_line.has("print-completion"))
+    print_completion(std::cout, command_line, command_line.text("print-completion"));
+  else
+    return false;
+  return true;
+}
+
 } // namespace
 
 int main(int argc, char** argv)
@@ -140,18 +149,8 @@ int main(int argc, char** argv)
   try {
     Command_line command_line;
     command_line.read(argc, argv);
-    if (command_line.has("help") || command_line.has("version") || command_line.has("print-man") ||
-        command_line.has("print-completion")) {
-      if (command_line.has("help"))
-        print_help(std::cout, command_line);
-      else if (command_line.has("version"))
-        std::cout << program_name << ' ' << POINT_SET_FLOW_VERSION << std::endl;
-      else if (command_line.has("print-man"))
-        print_manual_page(std::cout, command_line, command_line.text("print-man"));
-      else
-        print_completion(std::cout, command_line, command_line.text("print-completion"));
+    if (print_information(command_line))
       return SUCCESS;
-    }
     const Settings settings = command_line.settings();
 #ifdef CGAL_LINKED_WITH_TBB
     std::optional<tbb::global_control> limit;

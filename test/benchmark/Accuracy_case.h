@@ -4,11 +4,13 @@
 
 #include "Peers.h"
 
-#include "comparison/Noise_models.h"
+#include "measure/Noise_models.h"
 
 #include <CGAL/jet_estimate_normals.h>
 
 #include <map>
+
+namespace comparison {
 
 /// Samples of a shape with noise
 struct Accuracy_case {
@@ -157,5 +159,7 @@ inline Outcome run_case(const Accuracy_case& what, const Surface& surface, const
   }
   return outcome;
 }
+
+} // namespace comparison
 
 #endif // POINT_SET_FLOW_BENCHMARK_ACCURACY_CASE_H

@@ -2,10 +2,12 @@
 #ifndef POINT_SET_FLOW_BENCHMARK_APSS_H
 #define POINT_SET_FLOW_BENCHMARK_APSS_H
 
-#include "comparison/Nearest_points.h"
-#include "comparison/Smoothers.h"
+#include "measure/Nearest_points.h"
+#include "measure/Smoothers.h"
 
 #include <CGAL/for_each.h>
+
+namespace comparison {
 
 /// Algebraic point set surfaces (Guennebaud and Gross, SIGGRAPH 2007), a yardstick that CGAL does
 /// not have: each point is projected to the algebraic sphere that fits the points and normals
@@ -96,5 +98,7 @@ inline Smoothed apss(const Points& noisy, const Vectors& normals, unsigned int k
     apss_project(result.points, result.normals, k);
   return result;
 }
+
+} // namespace comparison
 
 #endif // POINT_SET_FLOW_BENCHMARK_APSS_H

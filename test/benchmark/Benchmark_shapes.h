@@ -2,9 +2,11 @@
 #ifndef POINT_SET_FLOW_BENCHMARK_BENCHMARK_SHAPES_H
 #define POINT_SET_FLOW_BENCHMARK_BENCHMARK_SHAPES_H
 
-#include "comparison/read_mesh.h"
+#include "measure/read_mesh.h"
 
 #include <memory>
+
+namespace comparison {
 
 /// The shapes of the benchmark: meshes of CGAL's data, which are scaled to radius 1, and generated
 /// ones of known angles and thickness.
@@ -98,5 +100,7 @@ inline std::unique_ptr<Mesh_surface> load_shape(const std::string& name, std::si
     mesh = read_mesh(is_file(name) ? name : CGAL::data_file_path("meshes/" + name + ".off"), map);
   return mesh ? std::make_unique<Mesh_surface>(std::move(*mesh)) : nullptr;
 }
+
+} // namespace comparison
 
 #endif // POINT_SET_FLOW_BENCHMARK_BENCHMARK_SHAPES_H

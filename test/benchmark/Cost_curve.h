@@ -4,7 +4,7 @@
 
 #include "Targets.h"
 
-#include "comparison/Smoothing_measures.h"
+#include "measure/Smoothing_measures.h"
 
 #include <CGAL/Point_set_flow/estimate_point_set_scale.h>
 #include <CGAL/Real_timer.h>
@@ -14,6 +14,8 @@
 #include <functional>
 #include <string>
 #include <vector>
+
+namespace comparison {
 
 /// What more or fewer steps and neighbors cost and bring, against one pass of jet smoothing with
 /// k = 24: means over all cases, one thread.
@@ -85,5 +87,7 @@ public:
     std::fflush(stdout);
   }
 };
+
+} // namespace comparison
 
 #endif // POINT_SET_FLOW_BENCHMARK_COST_CURVE_H

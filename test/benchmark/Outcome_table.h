@@ -7,6 +7,8 @@
 
 #include <fstream>
 
+namespace comparison {
+
 /// Writes outcomes as they come, as rows of Markdown and of CSV.
 class Outcome_table {
   std::ofstream m_csv;
@@ -135,5 +137,7 @@ public:
                         m_smoothed_normals);
   }
 };
+
+} // namespace comparison
 
 #endif // POINT_SET_FLOW_BENCHMARK_OUTCOME_TABLE_H

@@ -4,9 +4,11 @@
 
 #include "Apss.h"
 
-#include "comparison/Smoothing_measures.h"
+#include "measure/Smoothing_measures.h"
 
 #include <string>
+
+namespace comparison {
 
 /// What others make of the same points, with each of their settings.
 struct Peer {
@@ -51,5 +53,7 @@ inline std::vector<Peer> run_peers(const Points& noisy)
   add_peer(peers, "APSS", "k=80 twice", [&]() { return apss(noisy, normals, 80, 2); });
   return peers;
 }
+
+} // namespace comparison
 
 #endif // POINT_SET_FLOW_BENCHMARK_PEERS_H

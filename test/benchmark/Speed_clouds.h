@@ -2,7 +2,7 @@
 #ifndef POINT_SET_FLOW_BENCHMARK_SPEED_CLOUDS_H
 #define POINT_SET_FLOW_BENCHMARK_SPEED_CLOUDS_H
 
-#include "comparison/Surface.h"
+#include "measure/Surface.h"
 
 #include <CGAL/hilbert_sort.h>
 #include <CGAL/number_type_config.h>
@@ -12,6 +12,8 @@
 #include <random>
 #include <stdexcept>
 #include <string>
+
+namespace comparison {
 
 /// The radius of a sphere with bumps, in a direction
 inline double bumpy_radius(const Vector_3& direction)
@@ -81,5 +83,7 @@ inline void put_in_order(Points& points, const std::string& order)
   else
     CGAL::hilbert_sort(points.begin(), points.end());
 }
+
+} // namespace comparison
 
 #endif // POINT_SET_FLOW_BENCHMARK_SPEED_CLOUDS_H

@@ -2,7 +2,7 @@
 #ifndef POINT_SET_FLOW_BENCHMARK_SPEED_METHODS_H
 #define POINT_SET_FLOW_BENCHMARK_SPEED_METHODS_H
 
-#include "comparison/Numbered_points.h"
+#include "measure/Numbered_points.h"
 
 #include <CGAL/Point_set_processing_3/internal/Neighbor_query.h>
 #include <CGAL/balanced_flow_smooth_point_set.h>
@@ -16,6 +16,8 @@
 
 #include <map>
 #include <vector>
+
+namespace comparison {
 
 /// Neighbors of all points, as many for each
 typedef std::vector<std::uint32_t> Neighbor_lists;
@@ -146,5 +148,7 @@ std::map<std::string, Speed_method> speed_methods()
       {"our graph", find_neighbors<Concurrency_tag>},
   };
 }
+
+} // namespace comparison
 
 #endif // POINT_SET_FLOW_BENCHMARK_SPEED_METHODS_H

@@ -2,7 +2,7 @@
 #ifndef POINT_SET_FLOW_BENCHMARK_SPEED_PHASES_H
 #define POINT_SET_FLOW_BENCHMARK_SPEED_PHASES_H
 
-#include "comparison/Surface.h"
+#include "measure/Surface.h"
 
 #include <CGAL/Real_timer.h>
 #include <CGAL/balanced_flow_smooth_point_set.h>
@@ -15,6 +15,8 @@
 #include <limits>
 #include <string>
 #include <vector>
+
+namespace comparison {
 
 struct Phase {
   std::string name;
@@ -105,5 +107,7 @@ inline Phases median_phases(const std::vector<Phases>& runs)
   }
   return medians;
 }
+
+} // namespace comparison
 
 #endif // POINT_SET_FLOW_BENCHMARK_SPEED_PHASES_H

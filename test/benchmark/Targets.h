@@ -8,6 +8,8 @@
 #include <map>
 #include <string>
 
+namespace comparison {
+
 /// Ratios of cases, their geometric mean and the worst of them.
 class Ratios {
   double m_log_sum = 0., m_worst = -std::numeric_limits<double>::infinity();
@@ -69,5 +71,7 @@ public:
     std::fflush(stdout);
   }
 };
+
+} // namespace comparison
 
 #endif // POINT_SET_FLOW_BENCHMARK_TARGETS_H

@@ -8,9 +8,11 @@
 #include "Cost_curve.h"
 #include "Outcome_table.h"
 
-#include "comparison/sample_mesh.h"
+#include "measure/sample_mesh.h"
 
 #include <boost/program_options.hpp>
+
+using namespace comparison;
 
 namespace options = boost::program_options;
 

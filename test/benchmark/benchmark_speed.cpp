@@ -7,7 +7,7 @@
 #include "Speed_methods.h"
 #include "Speed_phases.h"
 
-#include "comparison/run_in_child.h"
+#include "measure/run_in_child.h"
 
 #include <boost/program_options.hpp>
 
@@ -16,6 +16,8 @@
 #endif
 
 #include <fstream>
+
+using namespace comparison;
 
 namespace options = boost::program_options;
 

@@ -4,7 +4,7 @@
 // written as it was, byte by byte, and after smoothing all points are finite and the file is one of
 // as many points. With clang++ -fsanitize=fuzzer this is a target of libFuzzer; otherwise it tries
 // the files that are named on the command line.
-#include "point_file_io.h"
+#include "point_files/point_file_io.h"
 
 #include <CGAL/balanced_flow_smooth_point_set.h>
 
@@ -18,6 +18,8 @@
 #include <sstream>
 #include <string>
 
+using namespace point_files;
+
 namespace {
 
 void require(bool condition, const char* what)
@@ -28,25 +30,24 @@ void require(bool condition, const char* what)
   }
 }
 
-std::string to_bytes(const Point_file& file, Format from, Format to)
+std::string to_bytes(const Point_file& file, const Format& to)
 {
   std::ostringstream out;
-  write_as(file, from, {out, "", to});
+  write_as(file, {out, "", to});
   return out.str();
 }
 
 /// \return whether the bytes are a file of points
 bool try_bytes(const std::string& bytes)
 {
-  std::optional<Format> format;
   std::unique_ptr<Point_file> file;
   try {
-    file = read_point_bytes(bytes, format, false);
+    file = read_point_bytes(bytes, nullptr, false);
   }
   catch (const std::exception&) { // says what is wrong
     return false;
   }
-  require(to_bytes(*file, *format, *format) == bytes, "what did not change is the same");
+  require(to_bytes(*file, *file->format) == bytes, "what did not change is the same");
 
   const std::size_t size = file->points.size();
   if (size <= 500) // the readers are what is tried
@@ -57,18 +58,19 @@ bool try_bytes(const std::string& bytes)
             "all points are finite");
   if (bytes.size() % 2 == 1)
     file->add_normals();
-  for (const Format to : {Format::PLY, Format::XYZ, Format::OFF}) {
+  for (const Format& to : all_formats()) {
+    if (!to.library.empty()) // no writer of ours
+      continue;
     std::string written;
     try {
-      written = to_bytes(*file, *format, to);
+      written = to_bytes(*file, to);
     }
     catch (const std::exception&) { // words and numbers that have no place in another format
-      require(to != *format, "a file can be written in its own format");
+      require(&to != file->format, "a file can be written in its own format");
       continue;
     }
-    std::optional<Format> again = to;
     try {
-      require(read_point_bytes(written, again, false)->points.size() == size,
+      require(read_point_bytes(written, &to, false)->points.size() == size,
               "the file has as many points as before");
     }
     catch (const std::exception& e) {

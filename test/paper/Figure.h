@@ -2,8 +2,8 @@
 #ifndef POINT_SET_FLOW_PAPER_FIGURE_H
 #define POINT_SET_FLOW_PAPER_FIGURE_H
 
-#include "comparison/Result_table.h"
-#include "comparison/Smoothing_measures.h"
+#include "measure/Result_table.h"
+#include "measure/Smoothing_measures.h"
 
 #include <array>
 #include <filesystem>
@@ -12,6 +12,8 @@
 #include <optional>
 #include <stdexcept>
 #include <string>
+
+namespace comparison {
 
 typedef std::vector<double> Numbers;
 typedef std::vector<std::array<std::size_t, 3>> Triangles;
@@ -137,5 +139,7 @@ private:
     return *middle;
   }
 };
+
+} // namespace comparison
 
 #endif // POINT_SET_FLOW_PAPER_FIGURE_H

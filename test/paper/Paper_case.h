@@ -5,8 +5,10 @@
 #include "Figure.h"
 
 #include "../benchmark/Benchmark_shapes.h"
-#include "comparison/Noise_models.h"
-#include "comparison/sample_mesh.h"
+#include "measure/Noise_models.h"
+#include "measure/sample_mesh.h"
+
+namespace comparison {
 
 /// What all experiments get.
 struct Run_settings {
@@ -106,5 +108,7 @@ inline std::string text(double value, int digits = 2)
   out << std::fixed << std::setprecision(digits) << value;
   return out.str();
 }
+
+} // namespace comparison
 
 #endif // POINT_SET_FLOW_PAPER_PAPER_CASE_H

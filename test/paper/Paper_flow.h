@@ -2,11 +2,13 @@
 #ifndef POINT_SET_FLOW_PAPER_PAPER_FLOW_H
 #define POINT_SET_FLOW_PAPER_PAPER_FLOW_H
 
-#include "comparison/Smoothers.h"
+#include "measure/Smoothers.h"
 
 #include <CGAL/balanced_flow_smooth_point_set.h>
 
 #include <functional>
+
+namespace comparison {
 
 /// A flow of any kind; one type, so that CGAL is compiled once for all of them. Since it has no
 /// `Uses_prefilter`, K is chosen from the prefiltered surface for all flows alike.
@@ -77,5 +79,7 @@ inline std::vector<Seen> what_flows_see(const Points& points, unsigned int k = 2
   }
   return seen;
 }
+
+} // namespace comparison
 
 #endif // POINT_SET_FLOW_PAPER_PAPER_FLOW_H

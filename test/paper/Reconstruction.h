@@ -12,6 +12,8 @@
 #include <map>
 #include <set>
 
+namespace comparison {
+
 /// A surface through points by CGAL's advancing front, with its default parameters
 inline Triangles reconstruct(const Points& points)
 {
@@ -112,5 +114,7 @@ public:
     return product / square;
   }
 };
+
+} // namespace comparison
 
 #endif // POINT_SET_FLOW_PAPER_RECONSTRUCTION_H

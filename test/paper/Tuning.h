@@ -6,6 +6,8 @@
 
 #include <limits>
 
+namespace comparison {
+
 /// The value of a parameter with which the error was least, and the points then. The paper's authors chose
 /// their parameters by eye for each model; here the truth is asked, for all compared methods alike.
 struct Tuned {
@@ -50,5 +52,7 @@ Tuned run_tuned_flow(const Points& noisy, const Any_flow& flow, const Flow_setti
           [&](double variation) { return run_flow(noisy, with_half_at(flow, variation), s); },
           error};
 }
+
+} // namespace comparison
 
 #endif // POINT_SET_FLOW_PAPER_TUNING_H

@@ -5,6 +5,8 @@
 #include "Paper_case.h"
 #include "Tuning.h"
 
+namespace comparison {
+
 /// Fig. 4: a noisy part with edges after the curvature flow, the naive and the well-posed anisotropic flow,
 /// each with the K that suits it best
 inline void anisotropy_figure(const Run_settings& s)
@@ -69,5 +71,7 @@ inline void anisotropy_figure(const Run_settings& s)
   }
   figure.write_table(over_time, "_steps");
 }
+
+} // namespace comparison
 
 #endif // POINT_SET_FLOW_PAPER_ANISOTROPY_FIGURE_H

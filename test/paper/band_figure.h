@@ -5,6 +5,8 @@
 #include "Paper_case.h"
 #include "Paper_flow.h"
 
+namespace comparison {
+
 /// Fig. 5: how far the points go from the reference I, against the width of the diffusion band.
 ///
 /// At rest Eq. (8) says u - I = -g kappa n, and g <= 1: the band is as wide as the largest
@@ -60,5 +62,7 @@ inline void band_figure(const Run_settings& s)
   figure.write_curves("fig5_curve", curves);
   figure.write_table(table);
 }
+
+} // namespace comparison
 
 #endif // POINT_SET_FLOW_PAPER_BAND_FIGURE_H

@@ -5,6 +5,8 @@
 #include "Paper_case.h"
 #include "Paper_flow.h"
 
+namespace comparison {
+
 /// Fig. 6: the reference I is the clean head M_0, the flow starts at a corrupted one, Eq. (7b)
 inline void convergence_figure(const Run_settings& s)
 {
@@ -47,5 +49,7 @@ inline void convergence_figure(const Run_settings& s)
                                                {"E, Eq. (7), default estimator", curves[n][3]}});
   figure.write_table(table);
 }
+
+} // namespace comparison
 
 #endif // POINT_SET_FLOW_PAPER_CONVERGENCE_FIGURE_H

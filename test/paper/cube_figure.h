@@ -7,6 +7,8 @@
 
 #include "../support/shapes.h"
 
+namespace comparison {
+
 /// Fig. 7: a noisy cube after 200 steps of the static and 12 of the dynamic flow, each with the K that
 /// suits it best; below, the curvature
 inline void cube_figure(const Run_settings& s)
@@ -64,5 +66,7 @@ inline void cube_figure(const Run_settings& s)
     figure.add_points(curvatures[i].first, results[i], curvatures[i].second);
   figure.write_table(table);
 }
+
+} // namespace comparison
 
 #endif // POINT_SET_FLOW_PAPER_CUBE_FIGURE_H

@@ -5,6 +5,8 @@
 #include "Paper_case.h"
 #include "Paper_flow.h"
 
+namespace comparison {
+
 /// Points on a strip over a curve in the plane z = 0, along which there are corners. A curve alone has no surface
 /// variation, Eq. (2): its covariance matrix has an eigenvalue of 0.
 class Curve_strip {
@@ -119,5 +121,7 @@ inline void diffusivity_figure(const Run_settings& s)
   figure.write_curves("fig3_curve", lines);
   figure.write_table(table);
 }
+
+} // namespace comparison
 
 #endif // POINT_SET_FLOW_PAPER_DIFFUSIVITY_FIGURE_H

@@ -14,6 +14,8 @@
 
 #include <functional>
 
+using namespace comparison;
+
 namespace options = boost::program_options;
 
 namespace {

@@ -9,6 +9,8 @@
 #include "baselines/laplacian.h"
 #include "baselines/non_iterative.h"
 
+namespace comparison {
+
 /// A board with a tongue on one side, a groove in the other and a chamfer
 inline std::unique_ptr<Mesh_surface> plank()
 {
@@ -83,5 +85,7 @@ inline void plank_figure(const Run_settings& s)
           non_iterative(data.noisy, 20, much));
   figure.write_table(table);
 }
+
+} // namespace comparison
 
 #endif // POINT_SET_FLOW_PAPER_PLANK_FIGURE_H

@@ -11,6 +11,8 @@
 
 #include <CGAL/IO/read_points.h>
 
+namespace comparison {
+
 /// Fig. 9 for one scan: smoothed by the methods that the paper compares, then surfaces of the results
 /// \param detail the scan with the relief that counts as the whole
 /// \param surface the true one if `detail` has no noise, else null
@@ -86,5 +88,7 @@ inline void scan_figures(const Run_settings& s)
   const Points noisy = add_noise(bunny, "Gaussian", .3 * spacing(bunny).mean, 5).points;
   scan_figure(s, "bunny", noisy, bunny, &surface);
 }
+
+} // namespace comparison
 
 #endif // POINT_SET_FLOW_PAPER_SCAN_FIGURES_H

@@ -5,6 +5,8 @@
 #include "Paper_case.h"
 #include "Paper_flow.h"
 
+namespace comparison {
+
 /// Fig. 2: what the curvature flow makes of a noisy head, and how much of it the anisotropic and
 /// the volume-preserving flow leave
 inline void shrinkage_figure(const Run_settings& s)
@@ -38,5 +40,7 @@ inline void shrinkage_figure(const Run_settings& s)
             errors(data, flow(Well_posed_anisotropic_flow(), 1000, 0)));
   figure.write_table(table);
 }
+
+} // namespace comparison
 
 #endif // POINT_SET_FLOW_PAPER_SHRINKAGE_FIGURE_H

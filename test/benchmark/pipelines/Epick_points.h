@@ -8,6 +8,8 @@
 
 #include <array>
 
+namespace comparison {
+
 /// To and from the kernel that the reconstructions need
 
 typedef CGAL::Exact_predicates_inexact_constructions_kernel Epick;
@@ -23,5 +25,7 @@ inline Epick_points to_epick(const Points& points)
 }
 
 Reconstructed mesh_of(const Epick_points& points, const Triangles& triangles);
+
+} // namespace comparison
 
 #endif // POINT_SET_FLOW_BENCHMARK_EPICK_POINTS_H

@@ -2,10 +2,12 @@
 #ifndef POINT_SET_FLOW_BENCHMARK_MESH_MEASURES_H
 #define POINT_SET_FLOW_BENCHMARK_MESH_MEASURES_H
 
-#include "comparison/Mesh_surface.h"
-#include "comparison/Smoothing_measures.h"
+#include "measure/Mesh_surface.h"
+#include "measure/Smoothing_measures.h"
 
 #include <memory>
+
+namespace comparison {
 
 /// What is known of the true surface: itself, or only points that lie on it but for their noise.
 struct Truth {
@@ -29,5 +31,7 @@ struct Mesh_distances {
 };
 
 Mesh_distances distances_of(const Mesh& mesh, const Truth& truth, std::size_t samples, double far);
+
+} // namespace comparison
 
 #endif // POINT_SET_FLOW_BENCHMARK_MESH_MEASURES_H

@@ -2,9 +2,11 @@
 #ifndef POINT_SET_FLOW_BENCHMARK_PIPELINES_H
 #define POINT_SET_FLOW_BENCHMARK_PIPELINES_H
 
-#include "comparison/Mesh_surface.h"
+#include "measure/Mesh_surface.h"
 
 #include <optional>
+
+namespace comparison {
 
 /// CGAL's reconstructions, each from points to a mesh, and its detection of planes. One file for
 /// each, because CGAL takes the compiler much memory.
@@ -36,5 +38,7 @@ struct Plane_measures {
 /// there are none.
 Plane_measures measure_planes(const Points& scan, const Points& smoothed, const Vectors& normals,
                               double epsilon, unsigned int runs);
+
+} // namespace comparison
 
 #endif // POINT_SET_FLOW_BENCHMARK_PIPELINES_H

@@ -6,14 +6,16 @@
 #include "Pipelines.h"
 
 #include "Benchmark_shapes.h"
-#include "comparison/Noise_models.h"
-#include "comparison/sample_mesh.h"
+#include "measure/Noise_models.h"
+#include "measure/sample_mesh.h"
 
 #include <CGAL/IO/read_points.h>
 #include <CGAL/remove_outliers.h>
 
 #include <random>
 #include <stdexcept>
+
+namespace comparison {
 
 /// Points of a scanned surface and what is known of it
 struct Scan {
@@ -89,5 +91,7 @@ inline Scan as_scanned(const std::string& name, const std::string& file)
     (random() % 10 == 0 ? scan.truth.points : scan.points).push_back(p);
   return scan;
 }
+
+} // namespace comparison
 
 #endif // POINT_SET_FLOW_BENCHMARK_SCANS_H

@@ -3,6 +3,8 @@
 
 #include <CGAL/Advancing_front_surface_reconstruction.h>
 
+namespace comparison {
+
 Reconstructed advancing_front(const Points& points)
 {
   const Epick_points epick = to_epick(points);
@@ -11,3 +13,5 @@ Reconstructed advancing_front(const Points& points)
                                                std::back_inserter(triangles));
   return mesh_of(epick, triangles);
 }
+
+} // namespace comparison

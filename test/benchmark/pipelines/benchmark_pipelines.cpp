@@ -5,7 +5,7 @@
 #include "Pipelines.h"
 #include "Scans.h"
 
-#include "comparison/Smoothers.h"
+#include "measure/Smoothers.h"
 
 #include <CGAL/estimate_point_set_noise.h>
 
@@ -15,6 +15,8 @@
 #include <filesystem>
 #include <iostream>
 #include <map>
+
+using namespace comparison;
 
 namespace options = boost::program_options;
 

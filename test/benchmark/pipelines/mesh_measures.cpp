@@ -2,11 +2,13 @@
 #include "Mesh_measures.h"
 #include "Epick_points.h"
 
-#include "comparison/read_mesh.h"
-#include "comparison/sample_mesh.h"
+#include "measure/read_mesh.h"
+#include "measure/sample_mesh.h"
 
 #include <CGAL/Polygon_mesh_processing/connected_components.h>
 #include <CGAL/Polygon_mesh_processing/stitch_borders.h>
+
+namespace comparison {
 
 Reconstructed mesh_of(const Epick_points& points, const Triangles& triangles)
 {
@@ -52,3 +54,5 @@ Mesh_distances distances_of(const Mesh& mesh, const Truth& truth, std::size_t sa
   result.from_truth = from.rms();
   return result;
 }
+
+} // namespace comparison

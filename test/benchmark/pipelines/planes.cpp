@@ -1,13 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Epick_points.h"
 
-#include "comparison/Numbered_points.h"
-#include "comparison/Smoothing_measures.h"
+#include "measure/Numbered_points.h"
+#include "measure/Smoothing_measures.h"
 
 #include <CGAL/Random.h>
 #include <CGAL/Shape_detection/Efficient_RANSAC.h>
 
 #include <tuple>
+
+namespace comparison {
 
 Plane_measures measure_planes(const Points& scan, const Points& smoothed, const Vectors& normals,
                               double epsilon, unsigned int runs)
@@ -58,3 +60,5 @@ Plane_measures measure_planes(const Points& scan, const Points& smoothed, const 
     *value /= double(runs);
   return mean;
 }
+
+} // namespace comparison

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Epick_points.h"
 
-#include "comparison/Smoothing_measures.h"
+#include "measure/Smoothing_measures.h"
 
 #include <CGAL/compute_average_spacing.h>
 #include <CGAL/mst_orient_normals.h>
@@ -9,6 +9,8 @@
 #include <CGAL/version.h>
 
 #include <map>
+
+namespace comparison {
 
 namespace {
 
@@ -110,3 +112,5 @@ Reconstructed poisson(const Points& points, const Vectors& normals, const Vector
                        Epick::Vector_3(oriented[i].x(), oriented[i].y(), oriented[i].z()));
   return zero_set(input, CGAL::compute_average_spacing<CGAL::Parallel_if_available_tag>(points, 6));
 }
+
+} // namespace comparison

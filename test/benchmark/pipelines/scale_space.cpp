@@ -5,6 +5,8 @@
 #include <CGAL/Scale_space_reconstruction_3/Jet_smoother.h>
 #include <CGAL/Scale_space_surface_reconstruction_3.h>
 
+namespace comparison {
+
 namespace scale = CGAL::Scale_space_reconstruction_3;
 
 Reconstructed scale_space(const Points& points, Scale_smoother smoother)
@@ -26,3 +28,5 @@ Reconstructed scale_space(const Points& points, Scale_smoother smoother)
   return mesh_of(Epick_points(reconstruction.points_begin(), reconstruction.points_end()),
                  triangles);
 }
+
+} // namespace comparison

@@ -2,10 +2,12 @@
 #ifndef POINT_SET_FLOW_PAPER_BASELINES_NEIGHBOR_LISTS_H
 #define POINT_SET_FLOW_PAPER_BASELINES_NEIGHBOR_LISTS_H
 
-#include "comparison/Nearest_points.h"
+#include "measure/Nearest_points.h"
 
 #include <cmath>
 #include <vector>
+
+namespace comparison {
 
 /// The k nearest neighbors of all points, found once, without the points themselves.
 class Neighbor_lists {
@@ -37,5 +39,7 @@ inline double gaussian(double squared, double sigma)
 {
   return std::exp(-squared / (2. * sigma * sigma));
 }
+
+} // namespace comparison
 
 #endif // POINT_SET_FLOW_PAPER_BASELINES_NEIGHBOR_LISTS_H

@@ -4,9 +4,11 @@
 
 #include "Neighbor_lists.h"
 
-#include "comparison/Numbered_points.h"
+#include "measure/Numbered_points.h"
 
 #include <algorithm>
+
+namespace comparison {
 
 /// The rms height of the neighbors above the tangent planes: median over the points. What Fleishman
 /// et al. take for sigma_s is this of a neighborhood that the user has pointed at, where the surface
@@ -66,5 +68,7 @@ inline Points bilateral_denoising(Points points, unsigned int k, int iterations,
   }
   return points;
 }
+
+} // namespace comparison
 
 #endif // POINT_SET_FLOW_PAPER_BASELINES_BILATERAL_DENOISING_H

@@ -4,6 +4,8 @@
 
 #include "Neighbor_lists.h"
 
+namespace comparison {
+
 /// Laplacian smoothing of points: M. Pauly, L. Kobbelt, M. Gross, *Multiresolution modeling of
 /// point-sampled geometry*, ETH technical report 378, 2002, section on smoothing, with the umbrella
 /// of Desbrun et al. 1999 over the k nearest neighbors instead of those in a mesh:
@@ -35,5 +37,7 @@ inline Points laplacian(Points points, unsigned int k, int iterations, double la
   }
   return points;
 }
+
+} // namespace comparison
 
 #endif // POINT_SET_FLOW_PAPER_BASELINES_LAPLACIAN_H

@@ -4,6 +4,8 @@
 
 #include "bilateral_denoising.h"
 
+namespace comparison {
+
 /// Non-iterative, feature-preserving smoothing: T. Jones, F. Durand, M. Desbrun, SIGGRAPH 2003, for
 /// points and without area weights, as the paper has it. Each point stands for a triangle: it is the
 /// centroid c_q, and its tangent plane is the one that predicts.
@@ -55,5 +57,7 @@ inline Points non_iterative(const Points& points, unsigned int k, double influen
   }
   return moved;
 }
+
+} // namespace comparison
 
 #endif // POINT_SET_FLOW_PAPER_BASELINES_NON_ITERATIVE_H

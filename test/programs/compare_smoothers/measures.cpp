@@ -6,11 +6,13 @@
 #include "benchmark/Benchmark_shapes.h"
 #include "shapes.h"
 
-#include "comparison/Noise_models.h"
-#include "comparison/Smoothing_measures.h"
-#include "comparison/sample_mesh.h"
+#include "measure/Noise_models.h"
+#include "measure/Smoothing_measures.h"
+#include "measure/sample_mesh.h"
 
 #include <boost/test/unit_test.hpp>
+
+using namespace comparison;
 
 namespace {
 

@@ -6,7 +6,7 @@ check_script=$(cd "$(dirname "$0")" && pwd)/page_check.js
 . "$(dirname "$0")/../program_test.sh"
 
 quietly() { "$@" > log 2>&1 || { cat log; false; }; }
-data_of() { sed -n 's|^.*<script type="application/json" id="data">||p' "$1" | sed 's|\\/|/|g'; }
+data_of() { sed -n 's|^.*<script type="application/json" id="data">||p' "$1"; }
 # the numbers of the arrays of that name, one array after the other: sizes in bytes
 array_sizes() {
   data_of "$1" | grep -oE '"(x|y|z|normal_x|normal_y|curvature|feature|error)":\{[^}]*\}' |
@@ -25,7 +25,7 @@ self_contained() { # but for the data, which have a line of their own
 rms_error() {
   data_of "$1" | grep -oE "\"name\":\"$2\".*" | grep -oE '"error":\{[^}]*\}' | head -1 > error
   sed 's/.*"data":"\([^"]*\)".*/\1/' error | base64 -d | od -An -v -tu2 --endian=little -w2 |
-    awk -v low="$(sed 's/.*"low":"\([^"]*\)".*/\1/' error)" -v high="$(sed 's/.*"high":"\([^"]*\)".*/\1/' error)" '
+    awk -v low="$(sed 's/.*"low":\([^,]*\),.*/\1/' error)" -v high="$(sed 's/.*"high":\([^,]*\),.*/\1/' error)" '
       { x = low + $1 / 65535 * (high - low); s += x * x } END { print 1000 * sqrt(s / NR) }'
 }
 near() { awk -v a="$1" -v b="$2" 'BEGIN { d = a - b; exit !(a != "" && b != "" && d * d < 1e-6 * b * b) }'; }

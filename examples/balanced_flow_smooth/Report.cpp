@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "Report.h"
+
+#include "command_line/Manual.h"
+
+#include <nlohmann/json.hpp>
+
+#include <fstream>
+#include <iostream>
+#include <stdexcept>
+
+namespace balanced_flow_smooth {
+
+namespace {
+
+std::string neighbors_to_text(const Parameters& p)
+{
+  const std::string most = std::to_string(p.most_neighbors);
+  return p.fewest_neighbors == p.most_neighbors
+             ? most
+             : std::to_string(p.fewest_neighbors) + " to " + most;
+}
+
+nlohmann::ordered_json to_json(const File_report& r, const Settings& settings)
+{
+  const Smoothing_settings& s = settings.smoothing;
+  nlohmann::ordered_json json;
+  json["input"] = r.job.input.string();
+  if (!settings.dry_run)
+    json["output"] = r.job.output.string();
+  json["status"] = r.status;
+  if (!r.message.empty())
+    json["message"] = r.message;
+  if (!r.warnings.empty())
+    json["warnings"] = r.warnings;
+  if (!r.format.empty())
+    json["format"] = r.format;
+  if (!r.output_format.empty())
+    json["output_format"] = r.output_format;
+  if (r.points != 0) {
+    json["points"] = r.points;
+    json["normals"] = r.normals;
+  }
+  if (r.parameters) {
+    json["spacing"] = r.parameters->spacing;
+    json["noise"] = r.parameters->noise;
+    nlohmann::ordered_json& parameters = json["parameters"];
+    parameters["flow"] = s.flow;
+    parameters["curvature"] = s.curvature;
+    parameters["neighbors"] = {{"fewest", r.parameters->fewest_neighbors},
+                               {"most", r.parameters->most_neighbors}};
+    parameters["neighbor_radius"] = s.neighbor_radius;
+    parameters["iterations"] = s.iterations;
+    parameters["sharpness_angle"] = s.sharpness_angle;
+    parameters["feature_threshold"] = r.parameters->feature_threshold;
+    parameters["filter_width"] = r.parameters->filter_width;
+    parameters["step_length"] = s.step_length;
+    parameters["update_period"] = s.update_period;
+  }
+  if (r.mean_movement) {
+    json["mean_movement"] = *r.mean_movement;
+    json["last_movement"] = *r.last_movement;
+  }
+  json["seconds"] = r.seconds;
+  return json;
+}
+
+void print_json(std::ostream& out, const std::vector<File_report>& reports,
+                const Settings& settings)
+{
+  nlohmann::ordered_json json;
+  json["program"] = program_name;
+  json["version"] = POINT_SET_FLOW_VERSION;
+  json["dry_run"] = settings.dry_run;
+  json["files"] = nlohmann::ordered_json::array();
+  for (const File_report& report : reports)
+    json["files"].push_back(to_json(report, settings));
+  // names of files may be any bytes
+  out << json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) << std::endl;
+}
+
+} // namespace
+
+void print_summary(std::ostream& out, const File_report& r, const Smoothing_settings& s,
+                   bool with_name)
+{
+  if (with_name)
+    out << r.job.input.string() << "\n";
+  out << "points            " << r.points << "\n"
+      << "spacing           " << r.parameters->spacing << "\n"
+      << "estimated noise   " << r.parameters->noise << "\n"
+      << "neighbors         " << neighbors_to_text(*r.parameters)
+      << (s.k || s.is_paper_estimator() ? "" : " (fewer where two sheets are close)") << "\n"
+      << "iterations        " << s.iterations
+      << (s.is_paper_estimator() ? "" : " at most, until nothing moves") << "\n";
+  if (r.mean_movement)
+    out << "mean movement     " << *r.mean_movement << " (last iteration: " << *r.last_movement
+        << ")\n";
+  else
+    out << "flow              " << s.flow << ", with the estimator " << s.curvature << "\n"
+        << "step length       " << s.step_length << "\n"
+        << "update period     " << s.update_period << "\n"
+        << "filter width      " << r.parameters->filter_width << "\n"
+        << "feature threshold " << r.parameters->feature_threshold << "\n";
+  out << "seconds           " << r.seconds << std::endl;
+}
+
+void write_json(const std::vector<File_report>& reports, const Settings& settings)
+{
+  if (settings.report == "-")
+    return print_json(std::cout, reports, settings);
+  std::ofstream out(settings.report);
+  print_json(out, reports, settings);
+  if (!out.flush())
+    throw std::runtime_error("cannot write " + settings.report + ": writing failed");
+}
+
+} // namespace balanced_flow_smooth

@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef BALANCED_FLOW_SMOOTH_MANUAL_H
+#define BALANCED_FLOW_SMOOTH_MANUAL_H
+
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace balanced_flow_smooth {
+
+// The words of --help and of the man page that are not about one option.
+
+constexpr const char* program_name = "balanced-flow-smooth";
+
+namespace manual {
+
+constexpr const char* summary = "take the noise off 3D point sets";
+
+// what comes after the name of the program
+inline const std::vector<std::string> synopsis = {
+    "[OPTION]... INPUT OUTPUT",
+    "[OPTION]... --output-dir DIR INPUT...",
+    "[OPTION]... --in-place FILE...",
+    "[OPTION]... --dry-run FILE",
+};
+
+inline const std::vector<std::string> description = {
+    "Smooths the points of each INPUT by dynamic balanced flow and writes them to OUTPUT, to a "
+    "file of the same name in DIR, or back to FILE. Noise, neighborhoods and all else that the "
+    "method needs are found in the data. INPUT may be -, standard input, and OUTPUT may be -, "
+    "standard output.",
+    "In the same format, nothing changes in a file but coordinates and, where there are any, "
+    "normals: all other bytes stay, as do the types of the numbers. A number that does not change "
+    "keeps its bytes, too.",
+    "An output is written beside its place and moved there when it is complete and on the disk, "
+    "with the permissions of the file that it replaces. A file that fails is reported and left as "
+    "it was, and the next one is taken.",
+};
+
+inline const std::vector<std::pair<std::string, std::string>> formats = {
+    {"ply", "ASCII or binary of either byte order, with any properties, lists and elements."},
+    {"xyz",
+     "also pwn, txt, pts: lines of x y z, the normal if columns 4 to 6 are unit vectors, and "
+     "anything else; empty lines, comments from # or // on, and a first line with the number "
+     "of points are kept."},
+    {"off", "text, also COFF, NOFF, STOFF and so on, with the faces."},
+    {"las, laz",
+     "if the program was built with PDAL: offsets, scales, classification, time and all "
+     "other dimensions are kept."},
+};
+
+inline const std::vector<std::string> on_formats = {
+    "The extension of a name tells the format. That of standard input is guessed from its first "
+    "bytes, and standard output gets that of the input; --format and --output-format tell "
+    "otherwise. From one format to another go the points, the normals and whatever are numbers of "
+    "points (to OFF and XYZ as columns, without names); a warning tells what is lost.",
+};
+
+inline const std::vector<std::pair<std::string, std::string>> exit_status = {
+    {"0", "all files are written."},
+    {"1", "the command line is wrong; nothing was done."},
+    {"2", "at least one file could not be read, smoothed or written; the others are written."},
+    {"130, 143", "interrupted by Ctrl-C (SIGINT) or SIGTERM; the file at work is left as it was."},
+};
+
+inline const std::vector<std::pair<std::string, std::string>> examples = {
+    {"balanced-flow-smooth scan.ply smoothed.ply", "Smooth one file."},
+    {"balanced-flow-smooth --dry-run scan.ply",
+     "Tell the spacing, the noise and what would be done."},
+    {"balanced-flow-smooth --in-place --json=report.json scans/*.ply",
+     "Smooth many files where they are, with a report for programs."},
+    {"zcat scan.ply.gz | balanced-flow-smooth - - | gzip > smoothed.ply.gz", "In a pipeline."},
+    {"find . -name '*.xyz' -exec balanced-flow-smooth -q --in-place {} +",
+     "All below a directory."},
+};
+
+} // namespace manual
+
+} // namespace balanced_flow_smooth
+
+#endif // BALANCED_FLOW_SMOOTH_MANUAL_H

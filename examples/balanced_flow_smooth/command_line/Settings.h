@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef BALANCED_FLOW_SMOOTH_SETTINGS_H
+#define BALANCED_FLOW_SMOOTH_SETTINGS_H
+
+#include "point_files/Format.h"
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace balanced_flow_smooth {
+
+/// How to smooth; what is empty is chosen from the data
+struct Smoothing_settings {
+  std::string flow = "balanced", curvature = "tangent-plane";
+  std::optional<unsigned int> k;
+  unsigned int iterations = 0, update_period = 4;
+  double neighbor_radius = 0., sharpness_angle = 0., step_length = 0.;
+  std::optional<double> feature_threshold, filter_width;
+
+  bool is_paper_estimator() const { return curvature == "covariance"; }
+};
+
+/// One file to be smoothed
+struct Job {
+  std::filesystem::path input, output; // no output in a dry run without one
+  bool keeps_format = false;           // whatever the name of the output
+};
+
+/// What the command line asks for
+struct Settings {
+  Smoothing_settings smoothing;
+  std::vector<Job> jobs;
+  const point_files::Format *input_format = nullptr, *output_format = nullptr; // null: to be found
+  std::string report; // the file of the JSON report, "-" for standard output, empty for none
+  unsigned int threads = 0;
+  bool normals = false, quiet = false, dry_run = false;
+
+  bool points_to_standard_output() const
+  {
+    return !dry_run && !jobs.empty() && jobs.front().output == "-";
+  }
+};
+
+} // namespace balanced_flow_smooth
+
+#endif // BALANCED_FLOW_SMOOTH_SETTINGS_H

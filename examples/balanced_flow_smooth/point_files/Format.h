@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef POINT_FILES_FORMAT_H
+#define POINT_FILES_FORMAT_H
+
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace point_files {
+
+class Point_file;
+struct Target;
+
+/// A format of point files, and all that is to be known of it outside of its own file in the folder
+/// `formats`. Formats are compared by their address in `all_formats()`.
+struct Format {
+  std::string name;                    // of options and reports, and the usual extension
+  std::vector<std::string> extensions; // other ones
+  std::string family;          // within it, a file changes its format and nothing else is lost
+  std::string magic;           // the first bytes of all files; empty if they differ
+  std::string library;         // the optional one that it needs; empty if there is none
+  std::string columns_warning; // for files of other formats that have columns
+
+  /// Whether bytes without the magic of any format look like a file of this one; may be null.
+  bool (*recognizes)(const std::string& bytes) = nullptr;
+
+  /// Makes a file of its bytes; null if the program was built without the library.
+  /// \param with_normals whether normals are wanted even if there are none in the file
+  std::unique_ptr<Point_file> (*read)(std::string bytes, bool with_normals) = nullptr;
+
+  /// The same from a file on the disk, for those who need not have all of its bytes; may be null.
+  std::unique_ptr<Point_file> (*read_path)(const std::filesystem::path& path,
+                                           bool with_normals) = nullptr;
+
+  /// Writes the points, normals and columns of a file of another family.
+  void (*write)(const Target& target, const Point_file& file) = nullptr;
+};
+
+inline bool are_of_one_family(const Format& a, const Format& b) { return a.family == b.family; }
+
+/// The table of all formats
+const std::vector<Format>& all_formats();
+
+/// The format of that name or extension, in any case of letters; null if there is none.
+const Format* find_format(std::string name);
+
+/// The format that the extension of a name tells; throws `std::runtime_error` if it tells none.
+const Format& format_of(const std::filesystem::path& path);
+
+/// Guesses the format from how a file begins: text is XYZ if no other format recognizes it. Throws
+/// `std::runtime_error` if the bytes are no text, either.
+const Format& format_of_bytes(const std::string& bytes);
+
+/// Throws `std::runtime_error` if this build has not the library that the format needs.
+void check_support(const Format& format);
+
+} // namespace point_files
+
+#endif // POINT_FILES_FORMAT_H

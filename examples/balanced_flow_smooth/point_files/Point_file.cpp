@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "Point_file.h"
+
+#include <cmath>
+#include <sstream>
+#include <stdexcept>
+
+namespace point_files {
+
+double Point_file::mean_movement() const
+{
+  double total = 0.;
+  std::size_t i = 0;
+  for_each_record(false, [&](const Record& r) {
+    const Point_3& p = points[i++];
+    total +=
+        std::hypot(p.x() - r.coordinates[0], p.y() - r.coordinates[1], p.z() - r.coordinates[2]);
+  });
+  return points.empty() ? 0. : total / double(points.size());
+}
+
+void Point_file::load(std::size_t count, bool with_normals)
+{
+  points.reserve(count);
+  normals.reserve(with_normals ? count : 0);
+  for_each_record(false, [&](const Record& r) {
+    const double *p = r.coordinates, *n = r.normal;
+    if (!(std::isfinite(p[0]) && std::isfinite(p[1]) && std::isfinite(p[2]))) {
+      std::ostringstream reason;
+      reason << "points[" << points.size() << "] is (" << p[0] << ", " << p[1] << ", " << p[2]
+             << "), but coordinates must be finite";
+      throw std::runtime_error(reason.str());
+    }
+    points.emplace_back(p[0], p[1], p[2]);
+    if (with_normals)
+      normals.emplace_back(n[0], n[1], n[2]);
+  });
+  if (points.empty())
+    throw std::runtime_error("there are no points in it");
+}
+
+} // namespace point_files

@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef POINT_FILES_POINT_FILE_H
+#define POINT_FILES_POINT_FILE_H
+
+#include "Format.h"
+#include "Layout.h"
+
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+
+#include <cstddef>
+#include <filesystem>
+#include <functional>
+#include <ostream>
+#include <string>
+#include <vector>
+
+namespace point_files {
+
+typedef CGAL::Exact_predicates_inexact_constructions_kernel Kernel;
+typedef Kernel::Point_3 Point_3;
+typedef Kernel::Vector_3 Vector_3;
+
+/// A point as it is in the file
+struct Record {
+  double coordinates[3], normal[3];
+  std::vector<double> values; // of the columns
+};
+
+/// Where a file goes
+struct Target {
+  std::ostream& out;
+  std::filesystem::path path; // of the stream; empty if that is no file
+  const Format& format;
+};
+
+/// A file of points: what it holds stays as it is, and beside it are its points, to be moved.
+class Point_file {
+public:
+  const Format* format = nullptr; // which this file is one of, set by `read_point_file()`
+  std::vector<Point_3> points;
+  std::vector<Vector_3> normals; // empty if there are none
+  std::vector<std::string> warnings;
+
+  virtual ~Point_file() = default;
+
+  /// Writes the file with the points, and with the normals if there are any, that are now here;
+  /// nothing else changes. A value that is the same as before is kept to the letter.
+  virtual void write(const Target& target) const = 0;
+
+  typedef std::function<void(const Record&)> Visitor;
+  /// Goes through the points as they are in the file.
+  /// \param with_values whether the values of the columns are wanted
+  virtual void for_each_record(bool with_values, const Visitor& visit) const = 0;
+
+  /// what other formats can take beside points and normals
+  virtual std::vector<Property> columns() const = 0;
+  /// and what they can not
+  virtual std::vector<std::string> losses() const = 0;
+  virtual Scalar coordinate_type() const = 0;
+
+  void add_normals() { normals.resize(points.size(), CGAL::NULL_VECTOR); }
+
+  /// the mean distance of the points from where they are in the file
+  double mean_movement() const;
+
+protected:
+  /// Reads the points, and the normals if there are any; throws `std::runtime_error` if there are no
+  /// points, or if they are not finite.
+  void load(std::size_t count, bool with_normals);
+};
+
+} // namespace point_files
+
+#endif // POINT_FILES_POINT_FILE_H

@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "Record_cursor.h"
+
+namespace point_files {
+
+const std::vector<Field>* Text_cursor::next()
+{
+  Field line;
+  if (!m_lines.next(line))
+    return nullptr;
+  m_lines.split(line, m_words);
+  if (m_has_lists)
+    join_lists();
+  const std::vector<Field>& fields = m_has_lists ? m_fields : m_words;
+  if (fields.size() != m_layout.properties().size())
+    m_lines.fail(std::to_string(fields.size()) + " columns, but " +
+                 std::to_string(m_layout.properties().size()) + " are expected");
+  return &fields;
+}
+
+void Text_cursor::join_lists()
+{
+  m_fields.clear();
+  std::size_t at = 0;
+  for (const Property& property : m_layout.properties()) {
+    if (at == m_words.size())
+      return;
+    Field field = m_words[at++];
+    if (property.count_type) {
+      const double count = m_lines.number(field);
+      if (!(count >= 0. && count <= double(m_words.size() - at)))
+        m_lines.fail("the list " + property.name + " is not complete");
+      at += std::size_t(count);
+      field.end = m_words[at - 1].end;
+    }
+    m_fields.push_back(field);
+  }
+  while (at != m_words.size()) // too many: counted by the caller
+    m_fields.push_back(m_words[at++]);
+}
+
+const std::vector<Field>* Binary_cursor::next()
+{
+  std::size_t at = m_place.at;
+  for (std::size_t i = 0; i < m_fields.size(); ++i) {
+    const std::optional<std::size_t> end =
+        find_end(*m_place.bytes, m_layout.properties()[i], at, m_swapped);
+    if (!end)
+      return nullptr;
+    m_fields[i] = {at, *end};
+    at = *end;
+  }
+  m_place.at = at;
+  return &m_fields;
+}
+
+std::optional<std::size_t> Binary_cursor::find_end(const std::string& bytes,
+                                                   const Property& property, std::size_t at,
+                                                   bool swapped)
+{
+  double count = 1.;
+  if (property.count_type) {
+    const std::size_t size = size_of(*property.count_type);
+    if (bytes.size() - at < size)
+      return std::nullopt;
+    count = from_bytes(*property.count_type, bytes.data() + at, swapped);
+    at += size;
+  }
+  const std::size_t size = size_of(property.type);
+  if (!(count >= 0. && count <= double((bytes.size() - at) / size)))
+    return std::nullopt;
+  return at + std::size_t(count) * size;
+}
+
+} // namespace point_files

@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef POINT_FILES_SCALAR_H
+#define POINT_FILES_SCALAR_H
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <cstring>
+#include <optional>
+#include <string>
+
+namespace point_files {
+
+/// The types of numbers in files, and their names in PLY. A `double` holds each value of each.
+enum class Scalar { INT8, UINT8, INT16, UINT16, INT32, UINT32, FLOAT, DOUBLE };
+
+/// The name in PLY
+const char* name_of(Scalar type);
+/// The type of that name in PLY, of which there are two for each
+std::optional<Scalar> find_scalar(const std::string& name);
+
+inline bool is_integer(Scalar type) { return type != Scalar::FLOAT && type != Scalar::DOUBLE; }
+
+/// Calls a function with a number of the given type.
+template <typename Function>
+auto with_number_of(Scalar type, const Function& f)
+{
+  switch (type) {
+  case Scalar::INT8:
+    return f(std::int8_t());
+  case Scalar::UINT8:
+    return f(std::uint8_t());
+  case Scalar::INT16:
+    return f(std::int16_t());
+  case Scalar::UINT16:
+    return f(std::uint16_t());
+  case Scalar::INT32:
+    return f(std::int32_t());
+  case Scalar::UINT32:
+    return f(std::uint32_t());
+  case Scalar::FLOAT:
+    return f(float());
+  default:
+    return f(double());
+  }
+}
+
+inline std::size_t size_of(Scalar type)
+{
+  return with_number_of(type, [](auto number) { return sizeof number; });
+}
+
+/// \param swapped whether the bytes are in the other order than in memory
+inline double from_bytes(Scalar type, const char* bytes, bool swapped)
+{
+  return with_number_of(type, [&](auto number) {
+    char copy[sizeof number];
+    std::copy(bytes, bytes + sizeof number, copy);
+    if (swapped)
+      std::reverse(copy, copy + sizeof number);
+    std::memcpy(&number, copy, sizeof number);
+    return double(number);
+  });
+}
+
+/// Throws `std::runtime_error` if an integer type has not that number; what is too large for a `float`
+/// becomes the largest one.
+void append_bytes(std::string& out, Scalar type, double number, bool swapped);
+
+/// Appends the shortest text that reads back as the same number of this type.
+void append_text(std::string& out, Scalar type, double number);
+
+/// Reads a number that fills the text from `begin` to `end`.
+std::optional<double> from_text(const char* begin, const char* end);
+
+} // namespace point_files
+
+#endif // POINT_FILES_SCALAR_H

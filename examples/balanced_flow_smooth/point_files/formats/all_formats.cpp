@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "all_formats.h"
+
+namespace point_files {
+
+const std::vector<Format>& all_formats()
+{
+  static const std::vector<Format> table = {
+      ply_format(), xyz_format(), off_format(), las_format(), laz_format(),
+  };
+  return table;
+}
+
+} // namespace point_files

@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// PLY, as text or binary of either byte order
+#include "../Record_cursor.h"
+#include "../write_rows.h"
+#include "Ply_header.h"
+#include "all_formats.h"
+
+#include <cstddef>
+#include <memory>
+#include <stdexcept>
+#include <string>
+#include <utility>
+
+namespace point_files {
+
+namespace {
+
+/// Skips the records of an element; throws if they are not all there.
+void skip_element(const Ply_element& element, Encoding encoding, Place& place)
+{
+  const auto fail = [&](std::size_t found) {
+    throw std::runtime_error("this is not a complete PLY file: it ends after " +
+                             std::to_string(found) + " of " + std::to_string(element.count) +
+                             " times " + element.name);
+  };
+  if (element.properties.empty())
+    return;
+  if (encoding == Encoding::TEXT) {
+    Line_reader lines(place);
+    Field line;
+    for (std::size_t i = 0; i < element.count; ++i)
+      if (!lines.next(line))
+        fail(i);
+    place = lines.place();
+    return;
+  }
+
+  const std::size_t left = place.bytes->size() - place.at;
+  const std::size_t size = element.fixed_size();
+  if (element.has_lists()) {
+    for (std::size_t i = 0; i < element.count; ++i)
+      for (const Property& property : element.properties) {
+        const auto end = Binary_cursor::find_end(*place.bytes, property, place.at,
+                                                 encoding == Encoding::SWAPPED_BINARY);
+        if (!end)
+          fail(i);
+        place.at = *end;
+      }
+  }
+  else {
+    if (element.count > left / size)
+      fail(left / size);
+    place.at += size * element.count;
+  }
+}
+
+Anatomy parse(std::string bytes)
+{
+  Anatomy file;
+  const Ply_header header(bytes);
+  file.bytes = std::move(bytes);
+  file.encoding = header.encoding;
+  Place place = {&file.bytes, header.end, header.number_of_lines};
+  bool has_points = false;
+  for (const Ply_element& element : header.elements) {
+    if (!element.has_points() || has_points)
+      file.losses.push_back("the PLY element " + element.name);
+    else {
+      has_points = true;
+      file.layout = Layout(element.properties);
+      file.count = element.count;
+      file.first = place;
+      const Layout& layout = file.layout;
+      const std::string end_of_line = header.end_of_line;
+      const std::string type = name_of(layout.coordinate_type());
+      file.normals_header.first = element.property_ends[layout.last_coordinate()];
+      for (const char* name : {"nx", "ny", "nz"})
+        file.normals_header.second += "property " + type + " " + name + end_of_line;
+      for (const Property& property : element.properties)
+        if (property.count_type)
+          file.losses.push_back("the lists " + property.name);
+    }
+    skip_element(element, file.encoding, place);
+  }
+  if (!has_points)
+    throw std::runtime_error("there are no points in it");
+  return file;
+}
+
+void write_ply(const Target& target, const Point_file& file)
+{
+  std::ostream& out = target.out;
+  const std::string type = name_of(file.coordinate_type());
+  out << "ply\nformat binary_little_endian 1.0\nelement vertex " << file.points.size() << '\n';
+  for (const char* name : {"x", "y", "z"})
+    out << "property " << type << ' ' << name << '\n';
+  for (const char* name : {"nx", "ny", "nz"})
+    if (!file.normals.empty())
+      out << "property " << type << ' ' << name << '\n';
+  for (const Property& column : file.columns())
+    out << "property " << name_of(column.type) << ' ' << column.name << '\n';
+  out << "end_header\n";
+  const bool swapped = !is_little_endian();
+  const auto append = [swapped](std::string& row, Scalar number_type, double number) {
+    append_bytes(row, number_type, number, swapped);
+  };
+  write_rows(out, file, append, "");
+}
+
+} // namespace
+
+Format ply_format()
+{
+  Format format;
+  format.name = format.family = "ply";
+  format.magic = "ply";
+  format.read = [](std::string bytes, bool) -> std::unique_ptr<Point_file> {
+    return std::make_unique<Raw_file>(parse(std::move(bytes)));
+  };
+  format.write = write_ply;
+  return format;
+}
+
+} // namespace point_files

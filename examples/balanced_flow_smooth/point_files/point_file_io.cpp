@@ -1,0 +1,155 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "point_file_io.h"
+
+#include "Temporary_file.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <fstream>
+#include <iostream>
+#include <new>
+#include <stdexcept>
+#include <system_error>
+#include <utility>
+
+namespace point_files {
+
+namespace {
+
+bool is_standard_stream(const std::filesystem::path& path) { return path == "-"; }
+
+/// Reads all bytes; a file that is known to be large is not read twice as large.
+std::string read_bytes(const std::filesystem::path& path)
+{
+  std::ifstream file;
+  std::size_t size = 0;
+  if (!is_standard_stream(path)) {
+    if (std::filesystem::is_directory(path))
+      throw std::runtime_error("this is a directory");
+    file.open(path, std::ios::binary);
+    if (!file)
+      throw std::runtime_error("the file can not be opened");
+    std::error_code ignored; // pipes have no size
+    if (std::filesystem::is_regular_file(path))
+      size = std::size_t(std::filesystem::file_size(path, ignored));
+  }
+  std::istream& in = is_standard_stream(path) ? std::cin : file;
+  std::string bytes;
+  bytes.reserve(size + 1);
+  for (std::size_t chunk = (std::max)(size + 1, std::size_t(1) << 20); in; chunk = bytes.size()) {
+    const std::size_t before = bytes.size();
+    bytes.resize(before + chunk);
+    in.read(&bytes[before], std::streamsize(chunk));
+    bytes.resize(before + std::size_t(in.gcount()));
+  }
+  if (in.bad())
+    throw std::runtime_error("reading failed");
+  bytes.shrink_to_fit();
+  return bytes;
+}
+
+[[noreturn]] void fail_to_write(const std::filesystem::path& path, const std::string& why)
+{
+  throw std::runtime_error("cannot write " +
+                           (is_standard_stream(path) ? "standard output" : path.string()) + ": " +
+                           why);
+}
+
+} // namespace
+
+std::unique_ptr<Point_file> read_point_bytes(std::string bytes, const Format* format,
+                                             bool with_normals)
+{
+  if (!format)
+    format = &format_of_bytes(bytes);
+  check_support(*format);
+  std::unique_ptr<Point_file> file = format->read(std::move(bytes), with_normals);
+  file->format = format;
+  return file;
+}
+
+std::unique_ptr<Point_file> read_point_file(const std::filesystem::path& path, const Format* format,
+                                            bool with_normals)
+{
+  const bool from_stream = is_standard_stream(path);
+  try {
+    if (!format && !from_stream)
+      format = &format_of(path);
+    if (format)
+      check_support(*format);
+    if (from_stream || !format->read_path)
+      return read_point_bytes(read_bytes(path), format, with_normals);
+    std::unique_ptr<Point_file> file = format->read_path(path, with_normals);
+    file->format = format;
+    return file;
+  }
+  catch (const std::bad_alloc&) {
+    throw std::runtime_error("cannot read " + path.string() + ": not enough memory");
+  }
+  catch (const std::exception& e) {
+    throw std::runtime_error("cannot read " + (from_stream ? "standard input" : path.string()) +
+                             ": " + e.what());
+  }
+}
+
+void check_output(const std::filesystem::path& path, const Format* format)
+{
+  try {
+    if (format)
+      check_support(*format);
+    if (is_standard_stream(path))
+      return;
+    if (std::filesystem::is_directory(path))
+      throw std::runtime_error("this is a directory (--output-dir writes into one)");
+    if (std::filesystem::exists(path) && !std::filesystem::is_regular_file(path))
+      throw std::runtime_error("this is not a regular file");
+    if (path.has_parent_path() && !std::filesystem::is_directory(path.parent_path()))
+      throw std::runtime_error("there is no directory " + path.parent_path().string());
+    const Temporary_file trial(path);
+  }
+  catch (const std::exception& e) {
+    fail_to_write(path, e.what());
+  }
+}
+
+void warn_of_losses(Point_file& file, const Format& format)
+{
+  if (are_of_one_family(*file.format, format))
+    return;
+  for (const std::string& loss : file.losses())
+    file.warnings.push_back(loss + " can not be kept in the format " + format.name);
+  if (!file.columns().empty() && !format.columns_warning.empty())
+    file.warnings.push_back(format.columns_warning);
+}
+
+void write_as(const Point_file& file, const Target& target)
+{
+  if (are_of_one_family(*file.format, target.format))
+    file.write(target);
+  else
+    target.format.write(target, file);
+  if (!target.out.flush())
+    throw std::runtime_error("writing failed");
+}
+
+bool write_point_file(const std::filesystem::path& path, const Point_file& file,
+                      const Format& format, const std::function<bool()>& is_interrupted)
+{
+  try {
+    if (is_standard_stream(path)) {
+      write_as(file, {std::cout, "", format});
+      return true;
+    }
+    Temporary_file out(path);
+    write_as(file, {out.stream(), out.path(), format});
+    if (is_interrupted())
+      return false;
+    out.take_place();
+    return true;
+  }
+  catch (const std::exception& e) {
+    fail_to_write(path, e.what());
+  }
+}
+
+} // namespace point_files

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef POINT_FILES_POINT_FILE_IO_H
+#define POINT_FILES_POINT_FILE_IO_H
+
+#include "Format.h"
+#include "Point_file.h"
+
+#include <filesystem>
+#include <functional>
+#include <memory>
+#include <string>
+
+// From files to points and back. The path "-" is standard input or output.
+
+namespace point_files {
+
+/// Reads a point set; throws `std::runtime_error` with the reason if it can not.
+/// \param format if it is null, it is found from the name, and for standard input from the bytes
+/// \param with_normals whether normals are wanted that are not in the file
+std::unique_ptr<Point_file> read_point_file(const std::filesystem::path& path, const Format* format,
+                                            bool with_normals);
+
+/// The same from all bytes of a file.
+/// \param format if it is null, it is found from the bytes
+std::unique_ptr<Point_file> read_point_bytes(std::string bytes, const Format* format,
+                                             bool with_normals);
+
+/// Throws `std::runtime_error` if the output could not be written, before any work is done.
+/// \param format null if it is not known before the input is read
+void check_output(const std::filesystem::path& path, const Format* format);
+
+/// Adds to the warnings of the file what is lost on the way to another format.
+void warn_of_losses(Point_file& file, const Format& format);
+
+/// Writes a point set as a file of the format of the target.
+void write_as(const Point_file& file, const Target& target);
+
+/// Writes a point set, first beside the file and then in its place: a run that fails or is killed
+/// never leaves half a file.
+/// \param is_interrupted asked when all but the place is done: if it says so, nothing is written
+/// \return whether the file is written
+bool write_point_file(const std::filesystem::path& path, const Point_file& file,
+                      const Format& format, const std::function<bool()>& is_interrupted);
+
+} // namespace point_files
+
+#endif // POINT_FILES_POINT_FILE_IO_H

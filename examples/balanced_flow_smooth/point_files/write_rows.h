@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef POINT_FILES_WRITE_ROWS_H
+#define POINT_FILES_WRITE_ROWS_H
+
+#include "Point_file.h"
+
+#include <cstddef>
+#include <ostream>
+#include <string>
+#include <vector>
+
+namespace point_files {
+
+// From one format to another: points, normals and whatever else are numbers of points.
+
+/// Writes one line or record for each point: coordinates, normal if there are any, columns.
+/// \param append adds a number of a type to a text
+template <typename Append>
+void write_rows(std::ostream& out, const Point_file& file, const Append& append,
+                const std::string& end_of_row)
+{
+  const std::vector<Property> columns = file.columns();
+  const Scalar type = file.coordinate_type();
+  std::string row;
+  std::size_t i = 0;
+  file.for_each_record(true, [&](const Record& record) {
+    row.clear();
+    for (int c = 0; c < 3; ++c)
+      append(row, type, file.points[i][c]);
+    for (int c = 0; c < 3 && !file.normals.empty(); ++c)
+      append(row, type, file.normals[i][c]);
+    for (std::size_t c = 0; c < columns.size(); ++c)
+      append(row, columns[c].type, record.values[c]);
+    row += end_of_row;
+    out.write(row.data(), std::streamsize(row.size()));
+    ++i;
+  });
+}
+
+/// Lines of text with blanks between the numbers
+void write_text_rows(std::ostream& out, const Point_file& file);
+
+} // namespace point_files
+
+#endif // POINT_FILES_WRITE_ROWS_H
