@@ -6,6 +6,7 @@
 //   benchmark_field [--groups ...] [--scans DIR] [--punet DIR] [--seed ...] [--quick]
 // Errors are rms distances to the true surface of the points that were measured on it.
 #include "field/run_field.h"
+#include "scanner/run_scanner.h"
 
 #include <boost/program_options.hpp>
 
@@ -61,6 +62,15 @@ void run(const Settings& s)
               s.seed);
   if (s.has("field"))
     run_field(s.seed, s.quick, targets);
+  if (s.has("scanner") || s.has("clean") || s.has("registered")) {
+    const Scanner_benchmark scanner(s.seed, s.quick);
+    if (s.has("scanner"))
+      scanner.run_noisy(targets);
+    if (s.has("registered"))
+      scanner.run_registered(targets);
+    if (s.has("clean"))
+      scanner.run_clean(targets);
+  }
   targets.print();
 }
 
