@@ -6,6 +6,10 @@
 //   benchmark_field [--groups ...] [--scans DIR] [--punet DIR] [--seed ...] [--quick]
 // Errors are rms distances to the true surface of the points that were measured on it.
 #include "field/run_field.h"
+#include "noise/run_noise.h"
+#include "pairs/run_pairs.h"
+#include "punet/run_punet.h"
+#include "relief/run_relief.h"
 #include "scanner/run_scanner.h"
 
 #include <boost/program_options.hpp>
@@ -71,6 +75,14 @@ void run(const Settings& s)
     if (s.has("clean"))
       scanner.run_clean(targets);
   }
+  if (s.has("pairs") && !s.scans.empty())
+    run_pairs(s.scans, targets);
+  if (s.has("punet") && !s.punet.empty())
+    run_punet(s.punet, s.punet_points, targets);
+  if (s.has("relief") && !s.quick)
+    run_relief(targets);
+  if (s.has("noise"))
+    Noise_benchmark(s.seed, s.quick).run(s.punet, targets);
   targets.print();
 }
 

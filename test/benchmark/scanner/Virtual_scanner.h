@@ -111,6 +111,29 @@ class Virtual_scanner {
     return points;
   }
 
+  struct Motion {
+    Vector_3 turn, shift;
+  };
+  /// Motions of the positions, which move points at a radius of .7 by so much (rms); turns and shifts
+  /// have equal parts in the square of it. In the mean of the positions they are none, as a
+  /// registration leaves them.
+  std::vector<Motion> registration_errors(double rms)
+  {
+    const std::size_t n = m_scene.positions.size();
+    std::vector<Motion> motions;
+    Motion mean{CGAL::NULL_VECTOR, CGAL::NULL_VECTOR};
+    for (std::size_t i = 0; i < n; ++i) {
+      const Vector_3 turn = isotropic(rms / std::sqrt(2. * 2. * .49));
+      motions.push_back({turn, isotropic(rms / std::sqrt(2. * 3.))});
+      mean.turn += turn / double(n);
+      mean.shift += motions.back().shift / double(n);
+    }
+    const double scale = std::sqrt(double(n) / double(n - 1)); // the mean took its part
+    for (Motion& motion : motions)
+      motion = {scale * (motion.turn - mean.turn), scale * (motion.shift - mean.shift)};
+    return motions;
+  }
+
   /// Where the beam's width meets two surfaces, the range is somewhere between.
   bool mix_ranges(Beam& beam)
   {
@@ -137,14 +160,7 @@ public:
     cloud.name = m_scene.name + ", " + m_settings.name;
     cloud.surface = m_scene.surface;
     const double h = cloud.spacing = typical_spacing(true_points());
-    struct Motion {
-      Vector_3 turn, shift;
-    };
-    std::vector<Motion> motions; // each of them half of the square of the error, for a radius of .7
-    for (std::size_t i = 0; i < m_scene.positions.size(); ++i) {
-      const Vector_3 turn = isotropic(m_settings.registration * h / 2.);
-      motions.push_back({turn, isotropic(m_settings.registration * h / std::sqrt(6.))});
-    }
+    const std::vector<Motion> motions = registration_errors(m_settings.registration * h);
     for (Beam& beam : m_beams) {
       cloud.belongs.push_back(!mix_ranges(beam));
       double range = beam.range + normal(m_settings.noise * h);

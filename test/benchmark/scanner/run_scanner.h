@@ -122,7 +122,8 @@ public:
       std::printf(" %.4f | %.0f%% |\n", moved, 100. * share_moved(cloud.points, smoothed));
       std::fflush(stdout);
       errors.add(ratio, cloud.name);
-      movements.add(moved, cloud.name);
+      if (raw < .03) // else there is a noise to be smoothed away
+        movements.add(moved, cloud.name);
     });
     targets.all_at_most(1.05, 3, "error to the raw one, clean scans", errors);
     targets.all_at_most(.05, 3, "rms movement in spacings, clean scans", movements);
