@@ -62,9 +62,10 @@ class Comparison_table {
 public:
   explicit Comparison_table(const std::string& title)
   {
-    std::printf("\n## %s\n\n| cloud | points | noise in spacings | raw | best of the others | ours | "
-                "ours/best | moved |\n|---|---|---|---|---|---|---|---|\n",
-                title.c_str());
+    std::printf(
+        "\n## %s\n\n| cloud | points | noise in spacings | raw | best of the others | ours | "
+        "ours/best | moved |\n|---|---|---|---|---|---|---|---|\n",
+        title.c_str());
     std::fflush(stdout);
   }
   /// Lengths in thousandths of `unit`, which need not be the spacing

@@ -12,7 +12,8 @@ namespace field_clouds {
 inline Test_cloud airborne(Cloud_maker make, double noise)
 {
   const auto surface = make.terrain();
-  const double sigma = noise * make.variation.noise, half = std::sqrt(double(make.variation.n)) / 2.;
+  const double sigma = noise * make.variation.noise,
+               half = std::sqrt(double(make.variation.n)) / 2.;
   Test_cloud cloud;
   cloud.name = "airborne terrain";
   cloud.surface = surface;

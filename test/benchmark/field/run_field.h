@@ -13,11 +13,16 @@ inline std::vector<std::function<Test_cloud()>> field_cloud_makers(const Variati
 {
   using namespace field_clouds;
   const Cloud_maker make(v);
-  return {[=]() { return airborne(make, .06); },      [=]() { return airborne(make, .13); },
-          [=]() { return dense_beside_sparse(make); }, [=]() { return object_on_floor(make); },
-          [=]() { return merged_twice(make); },        [=]() { return depth_frames(make); },
-          [=]() { return laser_profiles(make); },      [=]() { return rounded_heights(make); },
-          [=]() { return street(make); },              [=]() { return below_leaves(make); },
+  return {[=]() { return airborne(make, .06); },
+          [=]() { return airborne(make, .13); },
+          [=]() { return dense_beside_sparse(make); },
+          [=]() { return object_on_floor(make); },
+          [=]() { return merged_twice(make); },
+          [=]() { return depth_frames(make); },
+          [=]() { return laser_profiles(make); },
+          [=]() { return rounded_heights(make); },
+          [=]() { return street(make); },
+          [=]() { return below_leaves(make); },
           [=]() { return registered_scans(make); }};
 }
 

@@ -57,8 +57,9 @@ void for_each_punet_case(const std::filesystem::path& folder,
         const auto noisy_file = folder / (stem + "_noisy_" + noise + ".ply");
         if (!std::filesystem::exists(noisy_file))
           continue;
-        Punet_case found{shape, n, noise, read_cloud(noisy_file),
-                         read_cloud(folder / (stem + "_clean.ply")), nullptr, {}, {}};
+        Punet_case found{
+            shape,   n,  noise, read_cloud(noisy_file), read_cloud(folder / (stem + "_clean.ply")),
+            nullptr, {}, {}};
         std::optional<Mesh> mesh =
             read_mesh((folder / (shape + ending)).string(), found.mesh_sphere);
         if (!mesh)

@@ -38,8 +38,7 @@ class Face_distance {
     const auto neighbors = m_nearest(middle, few);
     for (const auto& neighbor : neighbors)
       try_point(neighbor.first);
-    if (neighbors.size() < few ||
-        std::sqrt(neighbors.back().second) >= radius + std::sqrt(m_best))
+    if (neighbors.size() < few || std::sqrt(neighbors.back().second) >= radius + std::sqrt(m_best))
       return;
     const Point_3 m[3] = {CGAL::midpoint(c[1], c[2]), CGAL::midpoint(c[2], c[0]),
                           CGAL::midpoint(c[0], c[1])};

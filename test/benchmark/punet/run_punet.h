@@ -94,7 +94,8 @@ public:
   void finish(Targets& targets)
   {
     print_mean();
-    targets.all_at_most(1.05, 5, "P2M to that with the best single k, thin walls", m_thin_to_best_k);
+    targets.all_at_most(1.05, 5, "P2M to that with the best single k, thin walls",
+                        m_thin_to_best_k);
     targets.all_at_most(1.05, 5, "P2M to that with the best single k, all shapes", m_to_best_k);
     targets.all_at_most(1., 5, "CD to that of the input", m_cd_to_input);
     targets.all_at_most(1., 5, "P2M to that of the input", m_p2m_to_input);

@@ -50,7 +50,8 @@ class Building_relief {
       for (end = begin + 1;
            end < cell.size() && m_input[cell[end]].z() - m_input[cell[end - 1]].z() < gap;)
         ++end;
-      if (end - begin < least_points || m_input[cell[end - 1]].z() - m_input[cell[begin]].z() > 2. * gap)
+      if (end - begin < least_points ||
+          m_input[cell[end - 1]].z() - m_input[cell[begin]].z() > 2. * gap)
         continue; // few points, or a slope
       Patch patch{{cell.begin() + std::ptrdiff_t(begin), cell.begin() + std::ptrdiff_t(end)}, 0.};
       patch.height = mean_height(m_input, patch.points);

@@ -8,7 +8,6 @@
 
 #include <map>
 
-
 /// A frame of the largest upright wall of a building whose z axis is up: coordinates along the wall,
 /// up, and out of it.
 class Wall_frame {
@@ -51,9 +50,10 @@ public:
           const double depth = (points[i] - CGAL::ORIGIN) * m_out - shift;
           slabs[2 * std::lround(depth / thickness) + half].push_back(i);
         }
-    const auto best = std::max_element(slabs.begin(), slabs.end(), [](const auto& a, const auto& b) {
-      return a.second.size() < b.second.size();
-    });
+    const auto best =
+        std::max_element(slabs.begin(), slabs.end(), [](const auto& a, const auto& b) {
+          return a.second.size() < b.second.size();
+        });
     fit(points, best->second);
     const Point_3 middle = CGAL::centroid(points.begin(), points.end(), CGAL::Dimension_tag<0>());
     if ((m_origin - middle) * m_out < 0.)

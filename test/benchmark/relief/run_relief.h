@@ -14,8 +14,10 @@ inline void run_relief(Targets& targets)
   const Points noisy = read_cloud(CGAL::data_file_path("points_3/building.ply"));
   const Building_relief relief(noisy);
   const double raw = relief.roughness(noisy);
-  std::printf("\n## Relief of a building\n\n%zu points, %zu steps, %zu flat patches; roughness in the unit of the data"
-              "\n\n| smoother | relief kept | in the worst tenth of the steps | roughness | of the input's |\n|---|---|---|---|---|\n",
+  std::printf("\n## Relief of a building\n\n%zu points, %zu steps, %zu flat patches; roughness in "
+              "the unit of the data"
+              "\n\n| smoother | relief kept | in the worst tenth of the steps | roughness | of the "
+              "input's |\n|---|---|---|---|---|\n",
               noisy.size(), relief.number_of_steps(), relief.number_of_flat_patches());
   const auto print = [&](const std::string& name, const Points& points) {
     const double roughness = relief.roughness(points);

@@ -137,8 +137,7 @@ class Virtual_scanner {
   /// Where the beam's width meets two surfaces, the range is somewhere between.
   bool mix_ranges(Beam& beam)
   {
-    if (!beam.other_range ||
-        std::abs(*beam.other_range - beam.range) < 10. * m_step * beam.range)
+    if (!beam.other_range || std::abs(*beam.other_range - beam.range) < 10. * m_step * beam.range)
       return false;
     const double share = uniform(0., 1.);
     beam.range += share * (*beam.other_range - beam.range);

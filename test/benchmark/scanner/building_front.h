@@ -10,7 +10,7 @@
 
 /// The front of a building: heights over a grid of lines, with upright sides between them.
 class Front_maker {
-  std::vector<double> m_x, m_z;             // the lines
+  std::vector<double> m_x, m_z;              // the lines
   std::vector<std::vector<double>> m_height; // of the cells between them, towards -y
   Points m_points;
   Polygons m_faces;

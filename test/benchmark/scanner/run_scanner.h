@@ -25,7 +25,8 @@ class Scanner_benchmark {
     for (const double x : {-.9, 0., .9})
       along_the_street.emplace_back(x + std::uniform_real_distribution<double>(-.1, .1)(random),
                                     -2.5, -.5);
-    m_scenes.push_back({"front", std::make_shared<Mesh_surface>(std::move(*mesh)), along_the_street});
+    m_scenes.push_back(
+        {"front", std::make_shared<Mesh_surface>(std::move(*mesh)), along_the_street});
   }
 
   /// Calls `visit` with each of the scans.
@@ -48,10 +49,10 @@ class Scanner_benchmark {
 
   static std::vector<Scan_settings> noisy_scans()
   {
-    std::vector<Scan_settings> all = {settings("noise .15", .15), settings("noise .3", .3),
-                                      settings("noise .6", .6),   settings("rounded ranges", .1),
-                                      settings("edge beams", .2), settings("scan lines", .2),
-                                      settings("registration error", .1)};
+    std::vector<Scan_settings> all = {
+        settings("noise .15", .15),        settings("noise .3", .3),   settings("noise .6", .6),
+        settings("rounded ranges", .1),    settings("edge beams", .2), settings("scan lines", .2),
+        settings("registration error", .1)};
     all[3].rounding = .3;
     all[4].edge_beams = true;
     all[5].line_ratio = 6.;
@@ -60,7 +61,8 @@ class Scanner_benchmark {
   }
 
 public:
-  Scanner_benchmark(unsigned int seed, bool quick) : m_n(quick ? 3000 : 10000), m_seed(seed), m_quick(quick)
+  Scanner_benchmark(unsigned int seed, bool quick)
+      : m_n(quick ? 3000 : 10000), m_seed(seed), m_quick(quick)
   {
     std::mt19937 random(seed);
     Names shapes = {"elephant", "fandisk", "joint", "hand", "bull", "knot1", "couplingdown"};
