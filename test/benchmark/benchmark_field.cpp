@@ -67,11 +67,11 @@ void run(const Settings& s)
   if (s.has("field"))
     run_field(s.seed, s.quick, targets);
   if (s.has("scanner") || s.has("clean") || s.has("registered")) {
-    const Scanner_benchmark scanner(s.seed, s.quick);
+    const Scanner_benchmark scanner(s.seed, s.quick, 6);
     if (s.has("scanner"))
       scanner.run_noisy(targets);
     if (s.has("registered"))
-      scanner.run_registered(targets);
+      Scanner_benchmark(s.seed, s.quick, 12).run_registered(targets);
     if (s.has("clean"))
       scanner.run_clean(targets);
   }

@@ -14,6 +14,7 @@ struct Scan_settings {
   double registration = 0.; ///< rms error of the points by that of the positions
   double line_ratio = 1.;   ///< distance of scan lines to that of the points on a line
   bool edge_beams = false;  ///< whether beams have a width, so that some meet two surfaces
+  bool two_surveys = false; ///< two registered to each other, of every other position each
   bool gives_normals = false;
 };
 
@@ -115,18 +116,26 @@ class Virtual_scanner {
     Vector_3 turn, shift;
   };
   /// Motions of the positions, which move points at a radius of .7 by so much (rms); turns and shifts
-  /// have equal parts in the square of it. In the mean of the positions they are none, as a
-  /// registration leaves them.
+  /// have equal parts in the square of it. In the mean they are none, as a registration leaves them.
   std::vector<Motion> registration_errors(double rms)
   {
     const std::size_t n = m_scene.positions.size();
     std::vector<Motion> motions;
-    Motion mean{CGAL::NULL_VECTOR, CGAL::NULL_VECTOR};
     for (std::size_t i = 0; i < n; ++i) {
       const Vector_3 turn = isotropic(rms / std::sqrt(2. * 2. * .49));
       motions.push_back({turn, isotropic(rms / std::sqrt(2. * 3.))});
-      mean.turn += turn / double(n);
-      mean.shift += motions.back().shift / double(n);
+    }
+    if (m_settings.two_surveys) {
+      for (std::size_t i = 1; i < n; ++i) {
+        const double side = i % 2 == 0 ? 1. : -1.;
+        motions[i] = {side * motions[0].turn, side * motions[0].shift};
+      }
+      return motions;
+    }
+    Motion mean{CGAL::NULL_VECTOR, CGAL::NULL_VECTOR};
+    for (const Motion& motion : motions) {
+      mean.turn += motion.turn / double(n);
+      mean.shift += motion.shift / double(n);
     }
     const double scale = std::sqrt(double(n) / double(n - 1)); // the mean took its part
     for (Motion& motion : motions)
