@@ -33,20 +33,30 @@ void add_peer(std::vector<Peer>& peers, const char* family, const std::string& s
   std::cerr << "warning: " << family << ", " << setting << " failed" << std::endl;
 }
 
-/// CGAL's smoothers and APSS, with normals that are estimated once for all.
-inline std::vector<Peer> run_peers(const Points& noisy)
+inline void add_jets(std::vector<Peer>& peers, const Points& noisy)
 {
-  std::vector<Peer> peers;
   for (const unsigned int k : {12u, 24u, 48u})
     add_peer(peers, "jet", "k=" + std::to_string(k), [&]() { return jet(noisy, k); });
-  add_peer(peers, "jet", "k=24 twice", [&]() { return jet(noisy, 24, 2); });
+}
 
-  const Numbered_points oriented = with_normals<Concurrency_tag>(noisy, true);
+/// CGAL's smoothers, the bilateral one with the normals of the points.
+inline std::vector<Peer> run_cgal_peers(const Points& noisy, const Numbered_points& oriented)
+{
+  std::vector<Peer> peers;
+  add_jets(peers, noisy);
+  add_peer(peers, "jet", "k=24 twice", [&]() { return jet(noisy, 24, 2); });
   for (const unsigned int k : {24u, 48u})
     add_peer(peers, "bilateral", "k=" + std::to_string(k),
              [&]() { return bilateral(oriented, k); });
   add_peer(peers, "bilateral", "k=24 3 times", [&]() { return bilateral(oriented, 24, 3); });
+  return peers;
+}
 
+/// CGAL's smoothers and APSS, with normals that are estimated once for all.
+inline std::vector<Peer> run_peers(const Points& noisy)
+{
+  const Numbered_points oriented = with_normals<Concurrency_tag>(noisy, true);
+  std::vector<Peer> peers = run_cgal_peers(noisy, oriented);
   const Vectors normals = normals_in_order(oriented);
   for (const unsigned int k : {48u, 80u})
     add_peer(peers, "APSS", "k=" + std::to_string(k), [&]() { return apss(noisy, normals, k); });
