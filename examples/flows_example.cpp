@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Each flow of the paper, with the paper's estimator, and one of a user, on the same noisy sphere: what is left of the noise,
-// and how much the sphere shrinks.
+// Each flow of the paper, with the paper's estimator, a flow and an estimator of a user, on the same
+// noisy sphere: what is left of the noise, and how much the sphere shrinks.
+#include <CGAL/Point_set_flow/Covariance_curvature.h>
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/balanced_flow_smooth_point_set.h>
 #include <CGAL/point_generators_3.h>
@@ -22,6 +23,22 @@ struct Loosely_balanced_flow {
   }
 };
 
+// An estimator of your own: the paper's, but points move as far as Eq. (3) says if that is less
+struct Cautious_curvature {
+  Tangent_plane_3 tangent_plane(const Neighborhood_3& neighborhood) const
+  {
+    return Covariance_curvature().tangent_plane(neighborhood);
+  }
+
+  double directional_curvature(const Neighborhood_3& neighborhood,
+                               const Tangent_plane_3& plane) const
+  {
+    const double height = Covariance_curvature::direction(neighborhood, plane.normal);
+    const double speed = Covariance_curvature().directional_curvature(neighborhood, plane);
+    return std::abs(height) < std::abs(speed) ? height : speed;
+  }
+};
+
 void print(const char* name, const std::vector<Point_3>& points)
 {
   double mean = 0., square = 0.;
@@ -34,12 +51,12 @@ void print(const char* name, const std::vector<Point_3>& points)
             << std::sqrt(square) << " mean radius " << mean << std::endl;
 }
 
-template <typename Flow>
-void smooth_and_print(const char* name, std::vector<Point_3> points, const Flow& flow)
+template <typename Flow, typename Curvature = Covariance_curvature>
+void smooth_and_print(const char* name, std::vector<Point_3> points, const Flow& flow,
+                      const Curvature& curvature = Curvature())
 {
   CGAL::balanced_flow_smooth_point_set<CGAL::Parallel_if_available_tag>(
-      points, 20,
-      CGAL::parameters::flow(flow).curvature(Covariance_curvature()).number_of_iterations(40));
+      points, 20, CGAL::parameters::flow(flow).curvature(curvature).number_of_iterations(40));
   print(name, points);
 }
 
@@ -59,4 +76,5 @@ int main()
   smooth_and_print("volume-preserving flow (7)", points, Volume_preserving_flow());
   smooth_and_print("balanced flow (9)", points, Balanced_flow());
   smooth_and_print("loosely balanced, my own", points, Loosely_balanced_flow());
+  smooth_and_print("cautious, my own", points, Balanced_flow(), Cautious_curvature());
 }

@@ -5,6 +5,7 @@
 #include <CGAL/point_generators_3.h>
 
 #include <cassert>
+#include <functional>
 #include <iostream>
 #include <vector>
 
@@ -53,6 +54,7 @@ int main()
 
   Points points = noisy_sphere();
   std::vector<double> strength(points.size());
+  CGAL::Point_set_flow::Smoothing_report report;
   std::vector<std::size_t> indices(points.size());
   for (std::size_t i = 0; i < indices.size(); ++i)
     indices[i] = i;
@@ -63,10 +65,12 @@ int main()
                    .filter_width(.5)
                    .update_period(2)
                    .block_size(500)
+                   .smoothing_report(std::ref(report))
                    .initial_point_map(CGAL::make_property_map(points)));
   double sum = 0.;
   for (const double s : strength)
     sum += s;
   assert(sum > 0.);
+  assert(report.number_of_points == points.size());
   std::cout << "done" << std::endl;
 }

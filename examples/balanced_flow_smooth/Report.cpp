@@ -13,12 +13,12 @@ namespace balanced_flow_smooth {
 
 namespace {
 
-std::string neighbors_to_text(const Parameters& p)
+std::string neighbors_to_text(const Smoothing_report& r)
 {
-  const std::string most = std::to_string(p.most_neighbors);
-  return p.fewest_neighbors == p.most_neighbors
+  const std::string most = std::to_string(r.most_neighbors);
+  return r.fewest_neighbors == r.most_neighbors
              ? most
-             : std::to_string(p.fewest_neighbors) + " to " + most;
+             : std::to_string(r.fewest_neighbors) + " to " + most;
 }
 
 nlohmann::ordered_json to_json(const File_report& r, const Settings& settings)
@@ -41,25 +41,25 @@ nlohmann::ordered_json to_json(const File_report& r, const Settings& settings)
     json["points"] = r.points;
     json["normals"] = r.normals;
   }
-  if (r.parameters) {
-    json["spacing"] = r.parameters->spacing;
-    json["noise"] = r.parameters->noise;
+  if (r.smoothing) {
+    json["spacing"] = r.smoothing->spacing;
+    json["noise"] = r.smoothing->noise;
     nlohmann::ordered_json& parameters = json["parameters"];
     parameters["flow"] = s.flow;
     parameters["curvature"] = s.curvature;
-    parameters["neighbors"] = {{"fewest", r.parameters->fewest_neighbors},
-                               {"most", r.parameters->most_neighbors}};
+    parameters["neighbors"] = {{"fewest", r.smoothing->fewest_neighbors},
+                               {"most", r.smoothing->most_neighbors}};
     parameters["neighbor_radius"] = s.neighbor_radius;
     parameters["iterations"] = s.iterations;
     parameters["sharpness_angle"] = s.sharpness_angle;
-    parameters["feature_threshold"] = r.parameters->feature_threshold;
-    parameters["filter_width"] = r.parameters->filter_width;
+    parameters["feature_threshold"] = r.smoothing->feature_threshold;
+    parameters["filter_width"] = r.smoothing->filter_width;
     parameters["step_length"] = s.step_length;
     parameters["update_period"] = s.update_period;
   }
-  if (r.mean_movement) {
-    json["mean_movement"] = *r.mean_movement;
-    json["last_movement"] = *r.last_movement;
+  if (r.smoothing && !settings.dry_run) {
+    json["mean_movement"] = r.smoothing->mean_movement;
+    json["last_movement"] = r.smoothing->last_movement;
   }
   json["seconds"] = r.seconds;
   return json;
@@ -81,27 +81,28 @@ void print_json(std::ostream& out, const std::vector<File_report>& reports,
 
 } // namespace
 
-void print_summary(std::ostream& out, const File_report& r, const Smoothing_settings& s,
-                   bool with_name)
+void print_summary(std::ostream& out, const File_report& r, const Settings& settings)
 {
-  if (with_name)
+  const Smoothing_settings& s = settings.smoothing;
+  const bool is_dry_run = settings.dry_run;
+  if (settings.jobs.size() > 1)
     out << r.job.input.string() << "\n";
   out << "points            " << r.points << "\n"
-      << "spacing           " << r.parameters->spacing << "\n"
-      << "estimated noise   " << r.parameters->noise << "\n"
-      << "neighbors         " << neighbors_to_text(*r.parameters)
+      << "spacing           " << r.smoothing->spacing << "\n"
+      << "estimated noise   " << r.smoothing->noise << "\n"
+      << "neighbors         " << neighbors_to_text(*r.smoothing)
       << (s.k || s.is_paper_estimator() ? "" : " (fewer where two sheets are close)") << "\n"
       << "iterations        " << s.iterations
       << (s.is_paper_estimator() ? "" : " at most, until nothing moves") << "\n";
-  if (r.mean_movement)
-    out << "mean movement     " << *r.mean_movement << " (last iteration: " << *r.last_movement
-        << ")\n";
+  if (!is_dry_run)
+    out << "mean movement     " << r.smoothing->mean_movement
+        << " (last iteration: " << r.smoothing->last_movement << ")\n";
   else
     out << "flow              " << s.flow << ", with the estimator " << s.curvature << "\n"
         << "step length       " << s.step_length << "\n"
         << "update period     " << s.update_period << "\n"
-        << "filter width      " << r.parameters->filter_width << "\n"
-        << "feature threshold " << r.parameters->feature_threshold << "\n";
+        << "filter width      " << r.smoothing->filter_width << "\n"
+        << "feature threshold " << r.smoothing->feature_threshold << "\n";
   out << "seconds           " << r.seconds << std::endl;
 }
 

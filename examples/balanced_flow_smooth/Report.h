@@ -20,15 +20,13 @@ struct File_report {
   std::string format, output_format;
   std::size_t points = 0;
   bool normals = false;
-  std::optional<Parameters> parameters;
-  std::optional<double> mean_movement, last_movement; // empty in a dry run
+  std::optional<Smoothing_report> smoothing; // empty if that failed
   double seconds = 0.;
   std::vector<std::string> warnings;
 };
 
 /// Prints the report of one file, for people.
-void print_summary(std::ostream& out, const File_report& r, const Smoothing_settings& s,
-                   bool with_name);
+void print_summary(std::ostream& out, const File_report& r, const Settings& settings);
 
 /// Writes the reports of all files where the settings say, as JSON for programs.
 void write_json(const std::vector<File_report>& reports, const Settings& settings);

@@ -63,20 +63,16 @@ bool run(const Settings& settings, File_report& report)
 
   CGAL::Real_timer timer;
   timer.start();
-  if (!settings.quiet || !settings.report.empty() || settings.dry_run) {
-    report.parameters = find_parameters(file->points, settings.smoothing, Progress_bar(false));
-    if (!report.parameters)
-      return false;
-  }
+  const Progress_bar progress(!settings.quiet && isatty(STDERR_FILENO));
+  Smoothing_report smoothing;
+  if (settings.dry_run)
+    smoothing = analyze(file->points, settings.smoothing, progress);
+  else
+    smooth(file->points, file->normals, settings.smoothing, progress, smoothing);
+  if (interrupt != 0)
+    return false;
+  report.smoothing = smoothing;
   if (!settings.dry_run) {
-    const Progress_bar progress(!settings.quiet && isatty(STDERR_FILENO));
-    const double moved = smooth(file->points, file->normals, settings.smoothing, progress);
-    if (interrupt != 0)
-      return false;
-    if (report.parameters) {
-      report.mean_movement = file->mean_movement();
-      report.last_movement = moved;
-    }
     point_files::warn_of_losses(*file, *output_format);
     report.warnings = file->warnings;
     if (!settings.quiet)
@@ -107,7 +103,7 @@ int run_all(const Settings& settings)
       }
       if (!settings.quiet && settings.report != "-")
         print_summary(settings.points_to_standard_output() ? std::cerr : std::cout, report,
-                      settings.smoothing, settings.jobs.size() > 1);
+                      settings);
     }
     catch (const std::exception& e) {
       report.status = "failed";

@@ -2,6 +2,8 @@
 #ifndef CGAL_ESTIMATE_POINT_SET_NOISE_H
 #define CGAL_ESTIMATE_POINT_SET_NOISE_H
 
+#include <CGAL/license/Point_set_flow.h>
+
 #include <CGAL/Point_set_flow/estimate_point_set_scale.h>
 
 namespace CGAL {
@@ -39,7 +41,9 @@ template <typename ConcurrencyTag, typename PointRange,
 double estimate_point_set_noise(const PointRange& points,
                                 const NamedParameters& np = parameters::default_values())
 {
-  return Point_set_flow::estimate_point_set_scale<ConcurrencyTag>(points, np).noise;
+  return Point_set_flow::internal::estimate_scale<ConcurrencyTag>(
+             points, np, Point_set_flow::internal::Argument_check("CGAL::estimate_point_set_noise"))
+      .noise;
 }
 
 } // namespace CGAL

@@ -86,12 +86,11 @@ template <typename Concurrency_tag>
 void find_neighbors(Points& points)
 {
   using namespace CGAL::Point_set_flow::internal;
-  const std::function<bool(double)> no_callback;
-  Progress progress(no_callback, 1.);
+  Loops<Concurrency_tag> loops(nullptr, 1.);
   const Array<Point_3> copy(points.begin(), points.end());
-  const Point_buffer buffer(Concurrency_tag(), copy, {}, {}, progress, 0.);
-  const Neighbor_tree tree(Concurrency_tag(), buffer.reference, progress);
-  const Neighbor_graph graph(Concurrency_tag(), tree, graph_size, 0., progress, 1.);
+  const Point_buffer buffer(copy, {}, {}, loops);
+  const Neighbor_tree tree(buffer.reference, loops);
+  const Neighbor_graph graph(tree, {graph_size, 0.}, loops);
 }
 
 #ifdef POINT_SET_FLOW_HAS_NANOFLANN
@@ -116,17 +115,14 @@ void find_neighbors_by_nanoflann(Points& points)
   Tree tree(3, adaptor, nanoflann::KDTreeSingleIndexAdaptorParams(10));
   tree.buildIndex();
   Neighbor_lists lists(points.size() * (graph_size + 1));
-  const std::function<bool(double)> no_callback;
-  CGAL::Point_set_flow::internal::Progress progress(no_callback, 1.);
-  CGAL::Point_set_flow::internal::for_each_block<Concurrency_tag>(
-      points.size(), progress, 1., [&](std::size_t begin, std::size_t end) {
-        std::vector<double> distances(graph_size + 1);
-        for (std::size_t i = begin; i < end; ++i) {
-          const double query[3] = {points[i].x(), points[i].y(), points[i].z()};
-          tree.knnSearch(query, graph_size + 1, lists.data() + i * (graph_size + 1),
-                         distances.data());
-        }
-      });
+  CGAL::Point_set_flow::internal::Loops<Concurrency_tag> loops(nullptr, 1.);
+  loops.for_each_chunk(points.size(), [&](std::size_t begin, std::size_t end) {
+    std::vector<double> distances(graph_size + 1);
+    for (std::size_t i = begin; i < end; ++i) {
+      const double query[3] = {points[i].x(), points[i].y(), points[i].z()};
+      tree.knnSearch(query, graph_size + 1, lists.data() + i * (graph_size + 1), distances.data());
+    }
+  });
 }
 #endif
 

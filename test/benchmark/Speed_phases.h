@@ -20,9 +20,9 @@ namespace comparison {
 
 struct Phase {
   std::string name;
-  double work; // what it counts in the progress
+  double cost; // what it counts in the progress
   double seconds = 0.;
-  double silence = 0.; // the longest time between two calls of the callback
+  double interval = 0.; // the longest time between two calls of the callback
 };
 typedef std::vector<Phase> Phases;
 
@@ -31,14 +31,15 @@ inline Phases phases_of_a_run()
 {
   using namespace CGAL::Point_set_flow::internal;
   typedef CGAL::Point_set_flow::Tangent_plane_curvature Curvature;
-  Phases phases = {{"copy in, order", work::order},  {"tree", work::tree},
-                   {"scale", work::scale},           {"graph", work::graph},
-                   {"noise map", work::noise},       {"tangent planes", work::planes},
-                   {"thin parts", work::thin_parts}, {"shrink", work::shrink},
-                   {"flow steps", work::step}};
+  namespace costs = stage_costs;
+  Phases phases = {{"copy in, order", costs::order}, {"tree", costs::tree},
+                   {"scale", costs::scale},          {"graph", costs::graph},
+                   {"noise map", costs::noise},      {"tangent planes", costs::planes},
+                   {"two sheets", costs::sheets},    {"shrink", costs::shrink},
+                   {"flow steps", costs::step}};
   for (unsigned int t = 1; t < Defaults_of<Curvature>::get().number_of_iterations; ++t) {
-    phases.push_back({"tangent planes", work::planes});
-    phases.push_back({"flow steps", work::step});
+    phases.push_back({"tangent planes", costs::planes});
+    phases.push_back({"flow steps", costs::step});
   }
   phases.push_back({"copy out", 0.});
   return phases;
@@ -50,7 +51,7 @@ inline Phases measure_phases(Points points, [[maybe_unused]] unsigned int thread
   const Phases sequence = phases_of_a_run();
   double total = 0.;
   for (const Phase& phase : sequence)
-    total += phase.work;
+    total += phase.cost;
 
   Phases phases; // each name once
   const auto add = [&](const std::string& name, double seconds) {
@@ -59,17 +60,17 @@ inline Phases measure_phases(Points points, [[maybe_unused]] unsigned int thread
     if (found == phases.end())
       found = phases.insert(found, Phase{name, 0.});
     found->seconds += seconds;
-    found->silence = (std::max)(found->silence, seconds);
+    found->interval = (std::max)(found->interval, seconds);
   };
   std::size_t at = 0;
-  double end = sequence[0].work / total, before = 0.;
+  double end = sequence[0].cost / total, before = 0.;
   CGAL::Real_timer timer;
   const auto clock = [&](double share) {
     const double now = timer.time();
     add(sequence[at].name, now - before);
     before = now;
     while (at + 1 < sequence.size() && share > (std::min)(end, .999) - 1e-9)
-      end += sequence[++at].work / total;
+      end += sequence[++at].cost / total;
     return true;
   };
   timer.start();
@@ -97,13 +98,13 @@ inline Phases median_phases(const std::vector<Phases>& runs)
 {
   Phases medians = runs.front();
   for (std::size_t i = 0; i < medians.size(); ++i) {
-    std::vector<double> seconds, silences;
+    std::vector<double> seconds, intervals;
     for (const Phases& run : runs) {
       seconds.push_back(run[i].seconds);
-      silences.push_back(run[i].silence);
+      intervals.push_back(run[i].interval);
     }
     medians[i].seconds = median(seconds);
-    medians[i].silence = median(silences);
+    medians[i].interval = median(intervals);
   }
   return medians;
 }

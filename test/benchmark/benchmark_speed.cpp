@@ -179,7 +179,7 @@ class Benchmark {
           for (const Phase& phase : phases)
             std::printf("| %s | %zu | %u | %s | %.3f | %.0f | %.0f%% | %.3f |\n", order.c_str(), n,
                         threads, phase.name.c_str(), phase.seconds, 1e9 * phase.seconds / double(n),
-                        100. * phase.seconds / total, phase.silence);
+                        100. * phase.seconds / total, phase.interval);
           std::fflush(stdout);
         }
   }

@@ -6,9 +6,11 @@
 
 #include "shapes.h"
 
+#include <CGAL/Point_set_flow/analyze_point_set.h>
 #include <CGAL/Point_set_flow/estimate_point_set_scale.h>
 #include <CGAL/Point_set_3.h>
 #include <CGAL/balanced_flow_smooth_point_set.h>
+#include <CGAL/estimate_point_set_noise.h>
 
 #include <numeric>
 
@@ -18,72 +20,105 @@ using shapes::noisy_cube;
 using shapes::Points;
 typedef CGAL::Sequential_tag Sequential;
 
+namespace {
+
+/// The message is compared as a whole: which function, which argument, which value, why not
+template <typename Call>
+void check_message(const std::string& expected, const Call& call)
+{
+  BOOST_CHECK_EXCEPTION(call(), std::invalid_argument, [&](const std::invalid_argument& e) {
+    BOOST_TEST(std::string(e.what()) == expected);
+    return true;
+  });
+}
+
+const std::string smooth_function = "CGAL::balanced_flow_smooth_point_set: ";
+const double not_a_number = std::numeric_limits<double>::quiet_NaN(),
+             infinity = std::numeric_limits<double>::infinity();
+
+} // namespace
+
 BOOST_AUTO_TEST_CASE(errors_name_the_argument_and_leave_the_points_unchanged)
 {
   const Points noisy = noisy_cube(6);
   const auto check = [&](const std::string& expected, const auto& call) {
     Points points = noisy;
-    BOOST_CHECK_EXCEPTION(call(points), std::invalid_argument, [&](const std::invalid_argument& e) {
-      BOOST_TEST_MESSAGE(e.what());
-      return std::string(e.what()).find(expected) != std::string::npos;
-    });
+    check_message(smooth_function + expected, [&] { call(points); });
     BOOST_TEST((points == noisy));
   };
   const auto with = [&](const auto& pack) {
     return
         [&](Points& points) { CGAL::balanced_flow_smooth_point_set<Sequential>(points, 20, pack); };
   };
-  const double nan = std::numeric_limits<double>::quiet_NaN(),
-               infinity = std::numeric_limits<double>::infinity();
-  for (const unsigned int k : {0u, 1u, unsigned(-1)})
-    check("k is " + std::to_string(k),
-          [k](Points& points) { CGAL::balanced_flow_smooth_point_set<Sequential>(points, k); });
-  check("step_length is -1", with(np::step_length(-1.)));
-  check("step_length is nan", with(np::step_length(nan)));
-  check("filter_width is -2", with(np::filter_width(-2)));
-  check("feature_threshold is inf", with(np::feature_threshold(infinity)));
-  check("neighbor_radius is -1", with(np::neighbor_radius(-1.)));
-  check("sharpness_angle is 0", with(np::sharpness_angle(0.)));
-  check("number_of_iterations is -3", with(np::number_of_iterations(-3)));
-  check("update_period is -1", with(np::update_period(-1)));
-  check("block_size is 0", with(np::block_size(0)));
-  check("step_length is inf", with(np::step_length(infinity)));
-  check("sharpness_angle is nan", with(np::sharpness_angle(nan)));
-  check("sharpness_angle is 181", with(np::sharpness_angle(181)));
-  check("neighbor_radius is inf", with(np::neighbor_radius(infinity)));
-  check("number_of_iterations is 1.5", with(np::number_of_iterations(1.5)));
-  check("number_of_iterations is nan", with(np::number_of_iterations(nan)));
-  check("block_size is 4294967296", with(np::block_size(std::size_t(1) << 32)));
+  const auto with_k = [](unsigned int k) {
+    return [k](Points& points) { CGAL::balanced_flow_smooth_point_set<Sequential>(points, k); };
+  };
+  check("k is 0, but at least 2 neighbors are needed", with_k(0));
+  check("k is 1, but at least 2 neighbors are needed", with_k(1));
+  check("k is 4294967295, but must be a number from 2 to 2147483647", with_k(unsigned(-1)));
+
+  const std::string not_negative = ", but must be finite and not negative";
+  check("step_length is -1" + not_negative, with(np::step_length(-1.)));
+  check("step_length is nan" + not_negative, with(np::step_length(not_a_number)));
+  check("step_length is inf" + not_negative, with(np::step_length(infinity)));
+  check("filter_width is -2" + not_negative, with(np::filter_width(-2)));
+  check("feature_threshold is inf" + not_negative, with(np::feature_threshold(infinity)));
+  check("neighbor_radius is -1" + not_negative, with(np::neighbor_radius(-1.)));
+  check("neighbor_radius is inf" + not_negative, with(np::neighbor_radius(infinity)));
+
+  const std::string degrees = ", but must be in (0, 180] degrees";
+  check("sharpness_angle is 0" + degrees, with(np::sharpness_angle(0.)));
+  check("sharpness_angle is nan" + degrees, with(np::sharpness_angle(not_a_number)));
+  check("sharpness_angle is 181" + degrees, with(np::sharpness_angle(181)));
+
+  const std::string whole = ", but must be a whole number from 0 to 2147483647";
+  check("number_of_iterations is -3" + whole, with(np::number_of_iterations(-3)));
+  check("number_of_iterations is 1.5" + whole, with(np::number_of_iterations(1.5)));
+  check("number_of_iterations is nan" + whole, with(np::number_of_iterations(not_a_number)));
+  check("update_period is -1" + whole, with(np::update_period(-1)));
+  check("block_size is 4294967296" + whole, with(np::block_size(std::size_t(1) << 32)));
+  check("block_size is 0, but must be positive", with(np::block_size(0)));
 }
 
 BOOST_AUTO_TEST_CASE(coordinates_that_are_not_finite_are_named)
 {
-  const double nan = std::numeric_limits<double>::quiet_NaN();
-  const auto check = [](const char* expected, const auto& call) {
-    BOOST_CHECK_EXCEPTION(call(), std::invalid_argument, [&](const std::exception& e) {
-      BOOST_TEST_MESSAGE(e.what());
-      return std::string(e.what()).find(expected) != std::string::npos;
-    });
-  };
+  const std::string reason = ", but coordinates must be finite";
   const Points noisy = noisy_cube(6);
   Points bad = noisy;
-  bad[17] = shapes::Point_3(1, nan, 2);
-  const char* const expected = "points[17] is (1, nan, 2)";
-  check(expected, [&] { CGAL::balanced_flow_smooth_point_set<Sequential>(bad); });
+  bad[17] = shapes::Point_3(1, not_a_number, 2);
+  check_message(smooth_function + "points[17] is (1, nan, 2)" + reason,
+                [&] { CGAL::balanced_flow_smooth_point_set<Sequential>(bad); });
   BOOST_TEST((bad[16] == noisy[16]));
-  check(expected, [&] { estimate_point_set_scale<Sequential>(bad); });
 
   typedef std::pair<shapes::Point_3, shapes::Point_3> Pair;
   std::vector<Pair> pairs;
   for (const auto& p : noisy)
     pairs.emplace_back(p, p);
-  pairs[5].second = shapes::Point_3(std::numeric_limits<double>::infinity(), 0, 0);
-  check("initial_point_map[5] is (inf, 0, 0)", [&] {
+  pairs[5].second = shapes::Point_3(infinity, 0, 0);
+  check_message(smooth_function + "initial_point_map[5] is (inf, 0, 0)" + reason, [&] {
     CGAL::balanced_flow_smooth_point_set<Sequential>(
         pairs, np::initial_point_map(CGAL::Second_of_pair_property_map<Pair>())
                    .point_map(CGAL::First_of_pair_property_map<Pair>()));
   });
   BOOST_TEST((pairs[4].first == noisy[4]));
+}
+
+BOOST_AUTO_TEST_CASE(errors_name_the_function_that_was_called)
+{
+  Points bad = noisy_cube(6);
+  bad[3] = shapes::Point_3(not_a_number, 0, 0);
+  const std::string expected = "points[3] is (nan, 0, 0), but coordinates must be finite";
+  check_message("CGAL::balanced_flow_smooth_point_set: " + expected,
+                [&] { CGAL::balanced_flow_smooth_point_set<Sequential>(bad, 20); });
+  check_message("CGAL::estimate_point_set_noise: " + expected,
+                [&] { CGAL::estimate_point_set_noise<Sequential>(bad); });
+  check_message("CGAL::Point_set_flow::estimate_point_set_scale: " + expected,
+                [&] { estimate_point_set_scale<Sequential>(bad); });
+  check_message("CGAL::Point_set_flow::analyze_point_set: " + expected,
+                [&] { analyze_point_set<Sequential>(bad, np::step_length(.5)); });
+  check_message(
+      "CGAL::Point_set_flow::analyze_point_set: k is 1, but at least 2 neighbors are needed",
+      [&] { analyze_point_set<Sequential>(bad, 1); });
 }
 
 // ---- maps that are too small
@@ -97,29 +132,24 @@ BOOST_AUTO_TEST_CASE(maps_of_another_point_set_are_refused)
   for (int i = 0; i < 100; ++i)
     fewer.insert(shapes::Point_3(0, 0, 0));
   const Point_set before = points;
-  const auto check = [&](const std::string& argument, const auto& parameters) {
-    BOOST_CHECK_EXCEPTION(CGAL::balanced_flow_smooth_point_set<Sequential>(points, parameters),
-                          std::invalid_argument, [&](const std::exception& e) {
-                            BOOST_TEST_MESSAGE(e.what());
-                            return std::string(e.what()).find(
-                                       "the size of " + argument +
-                                       " is 100, but points[100] has the number 100") !=
-                                   std::string::npos;
-                          });
+  const auto check = [&](const std::string& expected, const auto& parameters) {
+    check_message(smooth_function + expected,
+                  [&] { CGAL::balanced_flow_smooth_point_set<Sequential>(points, parameters); });
     for (const auto& i : points)
       BOOST_REQUIRE((points.point(i) == before.point(i) && points.normal(i) == before.normal(i)));
   };
-  check("point_map", np::point_map(fewer.point_map()));
-  check("normal_map", np::normal_map(fewer.normal_map()));
-  check("initial_point_map", np::initial_point_map(fewer.point_map()));
-  check("feature_strength_map",
+  const auto size_of = [](const std::string& map) {
+    return "the size of " + map + " is 100, but points[100] has the number 100";
+  };
+  check(size_of("point_map"), np::point_map(fewer.point_map()));
+  check(size_of("normal_map"), np::normal_map(fewer.normal_map()));
+  check(size_of("initial_point_map"), np::initial_point_map(fewer.point_map()));
+  check(size_of("feature_strength_map"),
         np::feature_strength_map(fewer.add_property_map<double>("strength", 0.).first));
-  check("point_is_constrained_map",
+  check(size_of("point_is_constrained_map"),
         np::point_is_constrained_map(fewer.add_property_map<bool>("fixed", false).first));
-  typedef Point_set::Property_map<double> Strength_map;
-  BOOST_CHECK_THROW(CGAL::balanced_flow_smooth_point_set<Sequential>(
-                        points, np::feature_strength_map(Strength_map())),
-                    std::invalid_argument);
+  check("feature_strength_map is null, but must be the map of a property",
+        np::feature_strength_map(Point_set::Property_map<double>()));
 }
 
 // ---- maps that throw

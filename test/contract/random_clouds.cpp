@@ -6,6 +6,7 @@
 
 #include "random_clouds.h"
 
+#include <CGAL/Point_set_flow/Any_flow.h>
 #include <CGAL/balanced_flow_smooth_point_set.h>
 
 #include <map>
@@ -81,6 +82,16 @@ void check_result(const Cloud& cloud, const Points& result, double moved)
   }
 }
 
+/// No point is farther from where it was than its farthest neighbor
+void check_neighborhoods(const Cloud& cloud, const Points& result, unsigned int k)
+{
+  const double rounding = 1e-12 * largest_coordinate(cloud.points);
+  const std::size_t most = Tangent_plane_curvature::defaults().largest_size;
+  for (std::size_t i = 0; i < result.size(); i += 7)
+    BOOST_TEST(distance(result[i], cloud.points[i]) <=
+               neighborhood_radius(cloud.points, i, k == 0 ? most : k) + rounding);
+}
+
 } // namespace
 
 BOOST_AUTO_TEST_CASE(by_default_points_stay_in_their_neighborhoods)
@@ -96,14 +107,41 @@ BOOST_AUTO_TEST_CASE(by_default_points_stay_in_their_neighborhoods)
           const double moved = smooth<Sequential>(
               points, k, np::number_of_iterations(cloud.chance(.5) ? 5 : cloud.number(0, 8)));
           check_result(cloud, points, moved);
-          const double rounding = 1e-12 * largest_coordinate(cloud.points);
-          const std::size_t most = Tangent_plane_curvature::defaults().largest_size;
-          for (std::size_t i = 0; i < points.size(); i += 7)
-            BOOST_TEST(distance(points[i], cloud.points[i]) <=
-                       neighborhood_radius(cloud.points, i, k == 0 ? most : k) + rounding);
+          check_neighborhoods(cloud, points, k);
         }
       },
       3000);
+}
+
+namespace {
+/// A flow of a user with another name, and nothing else
+struct Derived_flow : Balanced_flow {};
+} // namespace
+
+BOOST_AUTO_TEST_CASE(derived_and_erased_flows_keep_points_in_their_neighborhoods)
+{
+  for_each_seed(
+      [](unsigned int seed) {
+        const Cloud cloud(seed);
+        BOOST_TEST_CONTEXT("seed " << seed << ", " << cloud.kind << ", " << cloud.points.size()
+                                   << " points")
+        {
+          const unsigned int k = cloud.chance(.5) ? 0 : cloud.number(2, 60);
+          const auto run = [&](const auto& flow) { // so many steps that it matters
+            Points points = cloud.points;
+            const double moved = smooth<Sequential>(
+                points, k, np::flow(flow).step_length(1.5).number_of_iterations(15));
+            return std::make_pair(points, moved);
+          };
+          const auto expected = run(Balanced_flow());
+          check_neighborhoods(cloud, expected.first, k);
+          const auto check = [&](const auto& flow) { BOOST_TEST((run(flow) == expected)); };
+          check(Derived_flow());
+          check(Any_flow(Balanced_flow()));
+          check(Any_flow(Derived_flow()));
+        }
+      },
+      300);
 }
 
 BOOST_AUTO_TEST_CASE(threads_blocks_and_the_order_of_the_input_change_nothing)
@@ -132,12 +170,12 @@ BOOST_AUTO_TEST_CASE(threads_blocks_and_the_order_of_the_input_change_nothing)
           for (std::size_t i = 0; i < order.size(); ++i)
             BOOST_TEST((shuffled[i] == expected[order[i]]));
 
-          Points cancelled = cloud.points;
+          Points canceled = cloud.points;
           const double stop_at = .01 * cloud.number(0, 100);
           const double moved = smooth<CGAL::Parallel_if_available_tag>(
-              cancelled, k, np::callback([=](double share) { return share < stop_at; }));
+              canceled, k, np::callback([=](double share) { return share < stop_at; }));
           BOOST_TEST((cloud.points.empty() || std::isnan(moved)));
-          BOOST_TEST((cancelled == cloud.points));
+          BOOST_TEST((canceled == cloud.points));
         }
       },
       400);

@@ -6,16 +6,20 @@
 #include "shapes.h"
 
 #include <CGAL/balanced_flow_smooth_point_set.h>
+#include <CGAL/estimate_point_set_noise.h>
 
 #ifdef CGAL_LINKED_WITH_TBB
+#include <tbb/global_control.h>
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
+#include <tbb/task_group.h>
 #endif
 
 #include <atomic>
 #include <thread>
 
 namespace np = CGAL::parameters;
+using namespace CGAL::Point_set_flow;
 using shapes::noisy_cube;
 using shapes::Points;
 typedef CGAL::Sequential_tag Sequential;
@@ -51,7 +55,7 @@ BOOST_AUTO_TEST_CASE(calls_from_many_threads_do_not_disturb_each_other)
 #ifdef CGAL_LINKED_WITH_TBB
 namespace {
 /// Calls `run` with 0 to n-1 in tasks. The counter is for the thread sanitizer, which does not see
-/// how TBB hands over what was written before, as in for_each_block.h.
+/// how TBB hands over what was written before, as in Loops.h.
 template <typename Run>
 void for_each_task(std::size_t n, const Run& run)
 {
@@ -107,7 +111,60 @@ BOOST_AUTO_TEST_CASE(a_thread_that_waits_for_a_loop_does_not_begin_another_call)
              }) == 0);
 }
 
-BOOST_AUTO_TEST_CASE(a_call_cancelled_in_a_task_does_not_cancel_the_others)
+namespace {
+/// How many tasks of the caller a thread runs while it is inside of `call`: another thread makes tasks
+/// all the time, which whoever has nothing to do runs
+template <typename Call>
+int number_of_tasks_run_inside(const Call& call)
+{
+  static thread_local bool is_inside = false;
+  std::atomic<int> run_inside{0}, pending{0};
+  std::atomic<bool> is_done{false};
+  const tbb::global_control threads(tbb::global_control::max_allowed_parallelism, 4);
+  tbb::task_arena arena(4);
+  std::thread task_maker([&] {
+    arena.execute([&] {
+      tbb::task_group group;
+      while (!is_done) {
+        for (; pending < 100; ++pending)
+          group.run([&] {
+            --pending;
+            if (is_inside)
+              ++run_inside;
+          });
+        std::this_thread::yield();
+      }
+      group.wait();
+    });
+  });
+  arena.execute([&] {
+    for (int i = 0; i < 20; ++i) {
+      is_inside = true;
+      call();
+      is_inside = false;
+    }
+  });
+  is_done = true;
+  task_maker.join();
+  return run_inside;
+}
+} // namespace
+
+BOOST_AUTO_TEST_CASE(a_thread_that_waits_in_a_call_does_not_run_tasks_of_the_caller)
+{
+  const Points noisy = noisy_cube(40);
+  Points points;
+  BOOST_TEST(number_of_tasks_run_inside([&] {
+               points = noisy;
+               CGAL::balanced_flow_smooth_point_set<CGAL::Parallel_tag>(points);
+             }) == 0);
+  BOOST_TEST(number_of_tasks_run_inside(
+                 [&] { estimate_point_set_scale<CGAL::Parallel_tag>(noisy); }) == 0);
+  BOOST_TEST(number_of_tasks_run_inside(
+                 [&] { CGAL::estimate_point_set_noise<CGAL::Parallel_tag>(noisy); }) == 0);
+}
+
+BOOST_AUTO_TEST_CASE(a_call_canceled_in_a_task_does_not_cancel_the_others)
 {
   const Points noisy = noisy_cube(20);
   Points expected = noisy;

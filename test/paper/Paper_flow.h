@@ -4,17 +4,18 @@
 
 #include "measure/Smoothers.h"
 
+#include <CGAL/Point_set_flow/Any_flow.h>
+#include <CGAL/Point_set_flow/Covariance_curvature.h>
 #include <CGAL/balanced_flow_smooth_point_set.h>
-
-#include <functional>
 
 namespace comparison {
 
-/// A flow of any kind; one type, so that CGAL is compiled once for all of them. Since it has no
-/// `Uses_prefilter`, K is chosen from the prefiltered surface for all flows alike.
-typedef std::function<Vector_3(const CGAL::Point_set_flow::Flow_point_3&,
-                               const CGAL::Point_set_flow::Diffusivity&)>
-    Any_flow;
+/// A flow of any kind; one type, so that CGAL is compiled once for all of them. All are run with the
+/// prefilter, so that K is chosen from the prefiltered surface for all of them alike.
+struct Paper_flow : CGAL::Point_set_flow::Any_flow {
+  using CGAL::Point_set_flow::Any_flow::Any_flow;
+  bool uses_prefilter() const { return true; }
+};
 
 struct Flow_settings {
   unsigned int steps = 12, update_period = 4;
@@ -25,7 +26,7 @@ struct Flow_settings {
 /// A flow of the paper from `start`, with the reference `I`, by covariance analysis unless another
 /// estimator is given.
 template <typename Curvature = CGAL::Point_set_flow::Covariance_curvature>
-Points run_flow(const Points& reference, const Points& start, const Any_flow& flow,
+Points run_flow(const Points& reference, const Points& start, const Paper_flow& flow,
                 const Flow_settings& s = Flow_settings())
 {
   Points result = reference;
@@ -44,7 +45,7 @@ Points run_flow(const Points& reference, const Points& start, const Any_flow& fl
 }
 
 /// The same from the reference itself.
-inline Points run_flow(const Points& noisy, const Any_flow& flow, const Flow_settings& s)
+inline Points run_flow(const Points& noisy, const Paper_flow& flow, const Flow_settings& s)
 {
   return run_flow(noisy, noisy, flow, s);
 }

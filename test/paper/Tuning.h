@@ -36,7 +36,7 @@ inline const std::vector<double> half_variations = {.005, .01, .02, .04, .08, .1
 inline const std::vector<double> influences = {.25, .5, 1., 2., 4.};
 
 /// A flow with a diffusivity of its own, 1/2 at a variation
-inline Any_flow with_half_at(const Any_flow& flow, double variation)
+inline Paper_flow with_half_at(const Paper_flow& flow, double variation)
 {
   using namespace CGAL::Point_set_flow;
   const Diffusivity own = Diffusivity::half_at(variation);
@@ -45,7 +45,7 @@ inline Any_flow with_half_at(const Any_flow& flow, double variation)
 
 /// `run_flow()` with the K that the truth likes best
 template <typename Error>
-Tuned run_tuned_flow(const Points& noisy, const Any_flow& flow, const Flow_settings& s,
+Tuned run_tuned_flow(const Points& noisy, const Paper_flow& flow, const Flow_settings& s,
                      const Error& error)
 {
   return {half_variations,

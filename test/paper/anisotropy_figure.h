@@ -39,7 +39,7 @@ inline void anisotropy_figure(const Run_settings& s)
     return Tuned(
         {unknown}, [&](double) { return points; }, [](const Points&) { return 0.; });
   };
-  const auto flow = [&](const Any_flow& f, unsigned int steps) {
+  const auto flow = [&](const Paper_flow& f, unsigned int steps) {
     return run_tuned_flow(data.noisy, f, {s.steps(steps), 0},
                           [&](const Points& p) { return data.rms_error(p); });
   };

@@ -21,7 +21,7 @@ inline void band_figure(const Run_settings& s)
 
   struct Run {
     std::string title;
-    Any_flow flow;
+    Paper_flow flow;
     unsigned int update_period;
   };
   const std::vector<Run> runs = {

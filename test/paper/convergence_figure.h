@@ -13,7 +13,7 @@ inline void convergence_figure(const Run_settings& s)
   using namespace CGAL::Point_set_flow;
   const Paper_case data(load_shape("mannequin-devil", 0), s.points(12000), .02);
   const Points &clean = data.clean.points, &corrupted = data.noisy;
-  const auto after = [&](const Any_flow& flow, unsigned int steps) {
+  const auto after = [&](const Paper_flow& flow, unsigned int steps) {
     return run_flow(clean, corrupted, flow, {steps, 0});
   };
 

@@ -49,7 +49,7 @@ inline void cube_figure(const Run_settings& s)
                             variation);
     results.push_back(points);
   };
-  const auto flow = [&](const Any_flow& f, unsigned int steps, unsigned int update_period) {
+  const auto flow = [&](const Paper_flow& f, unsigned int steps, unsigned int update_period) {
     return run_tuned_flow(noisy, f, {s.steps(steps), update_period},
                           [](const Points& p) { return shapes::rms(p, shapes::distance_to_cube); })
         .points;

@@ -61,7 +61,7 @@ inline void plank_figure(const Run_settings& s)
     figure.add_points(caption, points, values);
   };
   const auto error = [&](const Points& p) { return data.rms_error(p); };
-  const auto flow = [&](const Any_flow& f) {
+  const auto flow = [&](const Paper_flow& f) {
     return run_tuned_flow(data.noisy, f, {s.steps(11), 4}, error).points;
   };
   add("a: noisy", "", data.noisy);

@@ -27,7 +27,7 @@ inline void shrinkage_figure(const Run_settings& s)
     figure.add_points(title + "|mean signed error " + text(numbers[3].second) + "%", points,
                       values);
   };
-  const auto flow = [&](const Any_flow& f, unsigned int steps, unsigned int update_period) {
+  const auto flow = [&](const Paper_flow& f, unsigned int steps, unsigned int update_period) {
     return run_flow(data.noisy, f, {s.steps(steps), update_period});
   };
   add("a: noisy", data.noisy);

@@ -23,8 +23,7 @@ namespace internal = CGAL::Point_set_flow::internal;
 
 namespace {
 
-const CGAL::Sequential_tag sequential{};
-const std::function<bool(double)> no_callback;
+typedef internal::Loops<CGAL::Sequential_tag> Loops;
 
 } // namespace
 
@@ -42,12 +41,12 @@ BOOST_AUTO_TEST_CASE(the_diffusivity_falls_from_1_through_one_half_at_the_thresh
 
 namespace {
 
-/// A surface, a lattice, where many distances are equal, and a point far away
 // The stages work on arrays.
 typedef internal::Array<Point_3> Points;
 
 Points array(const shapes::Points& points) { return Points(points.begin(), points.end()); }
 
+/// A surface, a lattice, where many distances are equal, and a point far away
 Points points_of_all_kinds()
 {
   Points points = array(shapes::cube(12));
@@ -60,9 +59,9 @@ Points points_of_all_kinds()
 }
 
 /// All other points, nearest first, ties by index
-std::vector<internal::Neighbor_tree::Neighbor> by_distance(const Points& points, std::size_t i)
+std::vector<internal::Neighbor> by_distance(const Points& points, std::size_t i)
 {
-  std::vector<internal::Neighbor_tree::Neighbor> sorted;
+  std::vector<internal::Neighbor> sorted;
   for (std::size_t j = 0; j < points.size(); ++j)
     if (j != i)
       sorted.push_back({CGAL::squared_distance(points[i], points[j]), std::uint32_t(j)});
@@ -75,11 +74,11 @@ std::vector<internal::Neighbor_tree::Neighbor> by_distance(const Points& points,
 BOOST_AUTO_TEST_CASE(the_graph_has_the_nearest_neighbors)
 {
   const Points points = points_of_all_kinds();
-  internal::Progress progress(no_callback, 1.);
-  const internal::Neighbor_tree tree(sequential, points, progress);
+  Loops loops(nullptr, 1.);
+  const internal::Neighbor_tree tree(points, loops);
   for (const double radius : {0., .4}) // without a limit, and with one
     for (const std::size_t k : {std::size_t(1), std::size_t(7), std::size_t(30), points.size()}) {
-      internal::Neighbor_graph graph(sequential, tree, k, radius, progress, 0.);
+      internal::Neighbor_graph graph(tree, {k, radius}, loops);
       const auto check = [&](std::size_t i, std::size_t most) {
         auto expected = by_distance(points, i);
         expected.resize((std::min)(most, expected.size()));
@@ -101,7 +100,7 @@ BOOST_AUTO_TEST_CASE(the_graph_has_the_nearest_neighbors)
       internal::Array<std::uint32_t> sizes(points.size());
       for (std::size_t i = 0; i < sizes.size(); ++i)
         sizes[i] = std::uint32_t(1 + i % 20);
-      graph.shrink<CGAL::Sequential_tag>(points, sizes, progress, 0.);
+      graph.shrink(points, sizes, loops);
       for (std::size_t i = 0; i < points.size(); i += 7)
         check(i, (std::min)(k, std::size_t(sizes[i])));
     }
@@ -112,11 +111,11 @@ BOOST_AUTO_TEST_CASE(neighbors_are_the_nearest_ones)
   const Points points = points_of_all_kinds();
   typedef CGAL::Orthogonal_k_neighbor_search<CGAL::Search_traits_3<Core_kernel>> Search;
   Search::Tree cgal_tree(points.begin(), points.end());
-  internal::Progress progress(no_callback, 1.);
-  const internal::Neighbor_tree tree(sequential, points, progress);
+  Loops loops(nullptr, 1.);
+  const internal::Neighbor_tree tree(points, loops);
   for (const unsigned int k : {1u, 7u, 30u}) {
-    internal::Neighbor_tree::Query query(tree, k);
-    internal::Neighbor_tree::Query within(tree, k, .4), anywhere(tree, k);
+    internal::Neighbor_query query(tree, k);
+    internal::Neighbor_query within(tree, k, .4), anywhere(tree, k);
     for (std::size_t i = 0; i < points.size(); ++i) {
       const auto expected = by_distance(points, i);
       const auto found = query(i);
@@ -151,25 +150,24 @@ BOOST_AUTO_TEST_CASE(the_buffer_merges_duplicates_and_forgets_the_order)
 {
   Points points = array(shapes::sphere(500, 1.));
   points.insert(points.end(), points.begin(), points.begin() + 100);
-  internal::Progress progress(no_callback, 1.);
-  const internal::Point_buffer buffer(sequential, points, {}, {}, progress, 0.);
+  Loops loops(nullptr, 1.);
+  const internal::Point_buffer buffer(points, {}, {}, loops);
   BOOST_TEST(buffer.size() == 500u);
   for (std::size_t i = 0; i < points.size(); ++i)
     BOOST_TEST((buffer.reference[buffer.site_of[i]] == points[i]));
 
   Points shuffled = points;
   std::shuffle(shuffled.begin(), shuffled.end(), std::mt19937(3));
-  const internal::Point_buffer other(sequential, shuffled, {}, {}, progress, 0.);
+  const internal::Point_buffer other(shuffled, {}, {}, loops);
   BOOST_TEST((other.reference == buffer.reference));
 
   // same start but different references: two different points
-  const internal::Point_buffer two(sequential, {{0, 0, 0}, {1, 0, 0}, {1, 0, 0}},
-                                   {{5, 5, 5}, {5, 5, 5}, {5, 5, 5}}, {}, progress, 0.);
+  const internal::Point_buffer two({{0, 0, 0}, {1, 0, 0}, {1, 0, 0}},
+                                   {{5, 5, 5}, {5, 5, 5}, {5, 5, 5}}, {}, loops);
   BOOST_TEST(two.size() == 2u);
 
   // a duplicate of a constrained point does not move either
-  const internal::Point_buffer fixed(sequential, {{0, 0, 0}, {1, 0, 0}, {0, 0, 0}}, {}, {0, 0, 1},
-                                     progress, 0.);
+  const internal::Point_buffer fixed({{0, 0, 0}, {1, 0, 0}, {0, 0, 0}}, {}, {0, 0, 1}, loops);
   BOOST_TEST(fixed.constrained[fixed.site_of[0]] == 1);
   BOOST_TEST(fixed.constrained[fixed.site_of[1]] == 0);
 }
@@ -188,7 +186,7 @@ BOOST_AUTO_TEST_CASE(the_order_follows_space_at_any_scale)
 {
   const Points sphere = array(shapes::sphere(5000, 1.));
   const double spacing = std::sqrt(4. * CGAL_PI / double(sphere.size()));
-  internal::Progress progress(no_callback, 1.);
+  Loops loops(nullptr, 1.);
   for (const double size : {1., 1e-6, 1e-12, 1e-300}) {
     Points points;
     for (const Point_3& p : sphere)
@@ -196,7 +194,7 @@ BOOST_AUTO_TEST_CASE(the_order_follows_space_at_any_scale)
     points.emplace_back(1., 2., 3.);
     points.emplace_back(1e9, 0., 0.);
     std::shuffle(points.begin(), points.end(), std::mt19937(3));
-    const internal::Spatial_order<CGAL::Sequential_tag> order(points, {}, progress, 0.);
+    const internal::Spatial_order<CGAL::Sequential_tag> order(points, {}, loops);
     std::vector<std::uint32_t> all;
     Points near;
     for (std::size_t i = 0; i < order.size(); ++i) {
@@ -218,11 +216,11 @@ BOOST_AUTO_TEST_CASE(the_prefilter_brings_the_variation_nearer_to_that_of_the_cl
 {
   Points clean = array(shapes::sphere(4000, 1.)), noisy = clean;
   shapes::add_noise(noisy, .01);
-  internal::Progress progress(no_callback, 1.);
-  const internal::Neighbor_tree tree(sequential, clean, progress);
-  const internal::Neighbor_graph graph(sequential, tree, 20, 0., progress, 0.);
-  Points filtered(noisy.size());
-  internal::prefilter<CGAL::Sequential_tag>(noisy, graph, .5, filtered, progress, 0.);
+  Loops loops(nullptr, 1.);
+  const internal::Neighbor_tree tree(clean, loops);
+  const internal::Neighbor_graph graph(tree, {20, 0.}, loops);
+  Points filtered;
+  internal::prefilter(noisy, graph, .5, filtered, loops);
 
   const Covariance_curvature curvature;
   double of_clean = 0., of_noisy = 0., of_filtered = 0.;
@@ -265,15 +263,15 @@ BOOST_AUTO_TEST_CASE(thin_parts_are_distinguished_from_noise)
     for (std::size_t i = 0; thin && i < points.size(); i += 2)
       points[i] = Point_3(points[i].x(), points[i].y(), 4. * sigma);
     shapes::add_noise(points, sigma);
-    internal::Progress progress(no_callback, 1.);
-    const internal::Neighbor_tree tree(sequential, points, progress);
-    internal::Neighbor_graph graph(sequential, tree, 60, 0., progress, 0.);
+    Loops loops(nullptr, 1.);
+    const internal::Neighbor_tree tree(points, loops);
+    internal::Neighbor_graph graph(tree, {60, 0.}, loops);
     internal::Surface_state state;
     state.normals.assign(points.size(), Vector_3(0, 0, 1));
     state.noise.assign(points.size(), (thin ? std::sqrt(5.) : 1.) * sigma);
     state.spacing = spacing;
-    const internal::Array<std::uint32_t> sizes = internal::find_thin_parts<CGAL::Sequential_tag>(
-        points, graph, .6, Tangent_plane_curvature::defaults(), state, progress, 0.);
+    const internal::Array<std::uint32_t> sizes = internal::fit_sheets(
+        {points, graph, .6, state}, Tangent_plane_curvature::defaults(), state.noise, loops);
     const double noise =
         std::accumulate(state.noise.begin(), state.noise.end(), 0.) / double(points.size());
     const double size = std::accumulate(sizes.begin(), sizes.end(), 0.) / double(points.size());

@@ -45,7 +45,7 @@ class PointSetFlowConan(ConanFile):
         if self.options.with_tbb:
             self.requires("onetbb/[>=2021.3]", transitive_headers=True, transitive_libs=True)
         if self.options.with_program:
-            self.requires("nlohmann_json/[>=3.2]", visible=False)
+            self.requires("nlohmann_json/[>=3.9]", visible=False)
 
     def validate(self):
         check_min_cppstd(self, 17)

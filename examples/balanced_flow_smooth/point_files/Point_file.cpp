@@ -7,18 +7,6 @@
 
 namespace point_files {
 
-double Point_file::mean_movement() const
-{
-  double total = 0.;
-  std::size_t i = 0;
-  for_each_record(false, [&](const Record& r) {
-    const Point_3& p = points[i++];
-    total +=
-        std::hypot(p.x() - r.coordinates[0], p.y() - r.coordinates[1], p.z() - r.coordinates[2]);
-  });
-  return points.empty() ? 0. : total / double(points.size());
-}
-
 void Point_file::load(std::size_t count, bool with_normals)
 {
   points.reserve(count);

@@ -60,9 +60,6 @@ public:
 
   void add_normals() { normals.resize(points.size(), CGAL::NULL_VECTOR); }
 
-  /// the mean distance of the points from where they are in the file
-  double mean_movement() const;
-
 protected:
   /// Reads the points, and the normals if there are any; throws `std::runtime_error` if there are no
   /// points, or if they are not finite.

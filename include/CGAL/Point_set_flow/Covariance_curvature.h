@@ -2,10 +2,13 @@
 #ifndef CGAL_POINT_SET_FLOW_COVARIANCE_CURVATURE_H
 #define CGAL_POINT_SET_FLOW_COVARIANCE_CURVATURE_H
 
-#include <CGAL/Point_set_flow/Curvature_defaults.h>
+#include <CGAL/license/Point_set_flow.h>
+
 #include <CGAL/Point_set_flow/Neighborhood_3.h>
+#include <CGAL/Point_set_flow/Tangent_plane_3.h>
 #include <CGAL/Point_set_flow/internal/fitting/Covariance_3.h>
-#include <CGAL/tags.h>
+
+#include <cstddef>
 
 namespace CGAL {
 namespace Point_set_flow {
@@ -20,24 +23,20 @@ namespace Point_set_flow {
 /// \cgalModels{PointSetCurvature}
 class Covariance_curvature {
 public:
-  /// does not look at normals
-  typedef Tag_false Uses_normals;
-
-  /// equations (1) to (3)
-  Curvature_3 operator()(const Neighborhood_3& neighborhood) const
-  {
-    const internal::Smallest_eigenpair_3 pair =
-        internal::smallest_eigenpair(internal::Covariance_3(neighborhood));
-    const double sign = direction(neighborhood, pair.vector) >= 0. ? 1. : -1.;
-    return {pair.vector, pair.variation, sign * pair.variation * neighborhood.radius()};
-  }
-
-  /// equations (1) and (2) alone
+  /// Equations (1) and (2).
   Tangent_plane_3 tangent_plane(const Neighborhood_3& neighborhood) const
   {
     const internal::Smallest_eigenpair_3 pair =
         internal::smallest_eigenpair(internal::Covariance_3(neighborhood));
     return {pair.vector, pair.variation};
+  }
+
+  /// Equation (4), the sign from equation (3).
+  double directional_curvature(const Neighborhood_3& neighborhood,
+                               const Tangent_plane_3& plane) const
+  {
+    const double sign = direction(neighborhood, plane.normal) >= 0. ? 1. : -1.;
+    return sign * plane.variation * neighborhood.radius();
   }
 
   /// Dire of equation (3): the Gaussian-weighted mean of \f$(n, p - u)\f$ over the neighbors \f$u\f$

@@ -2,40 +2,36 @@
 #ifndef CGAL_POINT_SET_FLOW_CURVATURE_DEFAULTS_H
 #define CGAL_POINT_SET_FLOW_CURVATURE_DEFAULTS_H
 
-#include <CGAL/Point_set_flow/Core_kernel.h>
+#include <CGAL/license/Point_set_flow.h>
+
+#include <algorithm>
+#include <cmath>
 
 namespace CGAL {
 namespace Point_set_flow {
 
 /// \ingroup PkgPointSetFlowCurvature
-/// The plane through a point that an estimator fits to its neighborhood.
-struct Tangent_plane_3 {
-  Vector_3 normal;  ///< a unit vector; its side does not matter
-  double variation; ///< without unit, at least 0, 0 where the surface is flat
-};
-
-/// \ingroup PkgPointSetFlowCurvature
-/// What a curvature estimator says of one point.
-struct Curvature_3 {
-  Vector_3 normal;              ///< a unit vector; its side does not matter
-  double variation;             ///< without unit, at least 0, 0 where the surface is flat
-  double directional_curvature; ///< a length, signed along `normal`
-};
-
-/// \ingroup PkgPointSetFlowCurvature
-/// The parameters that suit a curvature estimator. It tells them by a static member function
-/// `defaults()`; one that has none gets these, the paper's.
+/// The parameters that suit a curvature estimator, which returns them from a static member function
+/// `defaults()`. One that has no such function gets these, the paper's.
 struct Curvature_defaults {
   unsigned int number_of_iterations = 12; ///< the number of steps
   double filter_width = .3;               ///< in neighborhood radii
   double step_length = .75;               ///< without unit
   double sharpness_angle = 30.;           ///< in degrees
-  /// the number of neighbors is this times noise / spacing to the power of `size_exponent`, but in
-  /// the range from `smallest_size` to `largest_size`
-  double size_factor = 28.;
-  double size_exponent = .5;       ///< see `size_factor`
-  unsigned int smallest_size = 16; ///< see `size_factor`
-  unsigned int largest_size = 32;  ///< see `size_factor`
+  double size_factor = 28.;               ///< see `neighborhood_size()`
+  double size_exponent = .5;              ///< see `neighborhood_size()`
+  unsigned int smallest_size = 16;        ///< see `neighborhood_size()`
+  unsigned int largest_size = 32;         ///< see `neighborhood_size()`
+
+  /// The number of neighbors: `size_factor` times the noise to the power of `size_exponent`, but in
+  /// the range from `smallest_size` to `largest_size`.
+  /// \param noise the standard deviation of the noise in multiples of the spacing
+  unsigned int neighborhood_size(double noise) const
+  {
+    const double size = size_factor * std::pow(noise, size_exponent);
+    return static_cast<unsigned int>(
+        std::round((std::min)((std::max)(size, double(smallest_size)), double(largest_size))));
+  }
 };
 
 } // namespace Point_set_flow

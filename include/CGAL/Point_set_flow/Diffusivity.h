@@ -2,6 +2,8 @@
 #ifndef CGAL_POINT_SET_FLOW_DIFFUSIVITY_H
 #define CGAL_POINT_SET_FLOW_DIFFUSIVITY_H
 
+#include <CGAL/license/Point_set_flow.h>
+
 #include <CGAL/number_type_config.h>
 
 #include <algorithm>

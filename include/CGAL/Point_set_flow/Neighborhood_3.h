@@ -2,6 +2,8 @@
 #ifndef CGAL_POINT_SET_FLOW_NEIGHBORHOOD_3_H
 #define CGAL_POINT_SET_FLOW_NEIGHBORHOOD_3_H
 
+#include <CGAL/license/Point_set_flow.h>
+
 #include <CGAL/Point_set_flow/Core_kernel.h>
 
 #include <cmath>
@@ -58,7 +60,7 @@ public:
 
   /// whether the normals of the points are known; in the first step they are not
   bool has_normals() const { return m_surface.normals != nullptr; }
-  /// the unit normal of the point in the middle; its side does not matter
+  /// the unit normal of the point in the middle; its orientation is arbitrary
   const Vector_3& normal() const { return m_surface.normals[m_center]; }
   /// the unit normal of a neighbor
   const Vector_3& normal(std::size_t j) const { return m_surface.normals[m_neighbors[j]]; }

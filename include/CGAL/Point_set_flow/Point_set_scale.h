@@ -2,6 +2,8 @@
 #ifndef CGAL_POINT_SET_FLOW_POINT_SET_SCALE_H
 #define CGAL_POINT_SET_FLOW_POINT_SET_SCALE_H
 
+#include <CGAL/license/Point_set_flow.h>
+
 namespace CGAL {
 namespace Point_set_flow {
 

@@ -2,6 +2,8 @@
 #ifndef CGAL_POINT_SET_FLOW_FLOWS_H
 #define CGAL_POINT_SET_FLOW_FLOWS_H
 
+#include <CGAL/license/Point_set_flow.h>
+
 #include <CGAL/Point_set_flow/Diffusivity.h>
 #include <CGAL/Point_set_flow/Core_kernel.h>
 #include <CGAL/tags.h>
@@ -12,7 +14,7 @@ namespace Point_set_flow {
 /// \ingroup PkgPointSetFlowFlows
 /// What a flow sees of one point \f$u\f$ at one time. Lengths are in the unit of the data.
 struct Flow_point_3 {
-  /// \f$n\f$, the unit normal; its side does not matter, \f$\bar\kappa n\f$ is the same for both
+  /// \f$n\f$, the unit normal; its orientation is arbitrary, \f$\bar\kappa n\f$ is the same for both
   Vector_3 normal;
   /// \f$\bar\kappa\f$, equations (3) and (4), a length: how far the surface is from being balanced at
   /// the point, positive if the point lies on the side of the normal
@@ -28,7 +30,8 @@ struct Flow_point_3 {
 /// \addtogroup PkgPointSetFlowFlows
 ///
 /// `Uses_prefilter` says whether a flow needs `Flow_point_3::filtered_variation`; without it the
-/// prefilter is not run.
+/// prefilter is not run. `Stays_in_neighborhood` says whether the flow, with an estimator that says so,
+/// too, keeps points from moving farther than their farthest neighbors.
 /// @{
 
 /// Equation (4), isotropic: \f$-\bar\kappa n\f$.
@@ -87,6 +90,8 @@ struct Volume_preserving_flow {
 struct Balanced_flow {
   /// the prefilter is run
   typedef Tag_true Uses_prefilter;
+  /// points move no farther than their farthest neighbors
+  typedef Tag_true Stays_in_neighborhood;
   /// the right hand side
   Vector_3 operator()(const Flow_point_3& u, const Diffusivity& diffusivity) const
   {

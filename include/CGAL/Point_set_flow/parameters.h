@@ -2,13 +2,15 @@
 #ifndef CGAL_POINT_SET_FLOW_PARAMETERS_H
 #define CGAL_POINT_SET_FLOW_PARAMETERS_H
 
+#include <CGAL/license/Point_set_flow.h>
+
 #include <CGAL/Named_function_parameters.h>
 
 namespace CGAL {
 namespace Point_set_flow {
 
 // The named parameters of this package
-#define CGAL_POINT_SET_FLOW_FOR_EACH_PARAMETER(DEFINE)                                              \
+#define CGAL_POINT_SET_FLOW_FOR_EACH_PARAMETER(DEFINE)                                             \
   DEFINE(flow)                                                                                     \
   DEFINE(curvature)                                                                                \
   DEFINE(feature_threshold)                                                                        \
@@ -17,12 +19,13 @@ namespace Point_set_flow {
   DEFINE(update_period)                                                                            \
   DEFINE(initial_point_map)                                                                        \
   DEFINE(feature_strength_map)                                                                     \
-  DEFINE(block_size)
+  DEFINE(block_size)                                                                               \
+  DEFINE(smoothing_report)
 
 /// \cond SKIP_IN_MANUAL
 /// The tags by which named parameters are looked up.
 namespace internal_np {
-#define CGAL_POINT_SET_FLOW_TAG(NAME)                                                               \
+#define CGAL_POINT_SET_FLOW_TAG(NAME)                                                              \
   struct NAME##_t {};
 CGAL_POINT_SET_FLOW_FOR_EACH_PARAMETER(CGAL_POINT_SET_FLOW_TAG)
 #undef CGAL_POINT_SET_FLOW_TAG
@@ -43,7 +46,7 @@ struct Named_parameters : public Named_function_parameters<T, Tag, Base> {
   using Pack::Pack;
 
 /// \cond SKIP_IN_MANUAL
-#define CGAL_POINT_SET_FLOW_MEMBER(NAME)                                                            \
+#define CGAL_POINT_SET_FLOW_MEMBER(NAME)                                                           \
   template <typename K>                                                                            \
   Named_parameters<K, internal_np::NAME##_t, Pack> NAME(const K& value) const                      \
   {                                                                                                \
@@ -60,7 +63,7 @@ namespace parameters {
 
 // One function for each named parameter; documented in doc/Named_parameters.txt
 /// \cond SKIP_IN_MANUAL
-#define CGAL_POINT_SET_FLOW_FUNCTION(NAME)                                                          \
+#define CGAL_POINT_SET_FLOW_FUNCTION(NAME)                                                         \
   template <typename K>                                                                            \
   Point_set_flow::Named_parameters<K, Point_set_flow::internal_np::NAME##_t> NAME(const K& value)  \
   {                                                                                                \

@@ -2,6 +2,8 @@
 #ifndef CGAL_SCALE_SPACE_RECONSTRUCTION_3_BALANCED_FLOW_SMOOTHER_H
 #define CGAL_SCALE_SPACE_RECONSTRUCTION_3_BALANCED_FLOW_SMOOTHER_H
 
+#include <CGAL/license/Point_set_flow.h>
+
 #include <CGAL/Iterator_range.h>
 #include <CGAL/balanced_flow_smooth_point_set.h>
 #include <CGAL/tags.h>
@@ -28,7 +30,7 @@ namespace Scale_space_reconstruction_3 {
    `Exact_predicates_inexact_constructions_kernel` is preferred.
    \tparam ConcurrencyTag indicates whether to use concurrent processing. It can be omitted: if TBB
    is available and `CGAL_LINKED_WITH_TBB` is defined then `Parallel_tag` is used. Otherwise,
-   `Sequential_tag` is used. The result is the same to the last bit.
+   `Sequential_tag` is used. The result is bitwise identical.
 
    \sa `CGAL::balanced_flow_smooth_point_set()`
 */

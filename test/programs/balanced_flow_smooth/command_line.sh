@@ -76,6 +76,10 @@ check "what is reported is what is done" bash -c "
   k=\$(python3 -c \"import json; print(repr(json.load(open('report.json'))['files'][0]['parameters']['feature_threshold']))\")
   '$program' '$kitten' k.xyz -q --feature-threshold \$k --filter-width 0.6 && cmp k.xyz out/kitten.xyz"
 
+# a flow without prefilter takes K from the surface itself, as in the library
+threshold() { "$program" -n "$kitten" --curvature covariance --flow "$1" | sed -n 's/^feature threshold *//p'; }
+check "K suits the flow" bash -c "[ '$(threshold anisotropic)' = '$(threshold curvature)' ] && [ '$(threshold well-posed)' = '$(threshold balanced)' ] && [ '$(threshold anisotropic)' != '$(threshold balanced)' ]"
+
 # ---- help
 
 check "help" bash -c "'$program' --help | grep -q sharpness-angle"

@@ -2,7 +2,9 @@
 #ifndef CGAL_POINT_SET_FLOW_INTERNAL_ENTRANCE_CHECK_MAP_SIZES_H
 #define CGAL_POINT_SET_FLOW_INTERNAL_ENTRANCE_CHECK_MAP_SIZES_H
 
-#include <CGAL/Point_set_flow/internal/flow/Flow_parameters.h>
+#include <CGAL/license/Point_set_flow.h>
+
+#include <CGAL/Point_set_flow/internal/entrance/Argument_check.h>
 
 #include <cstddef>
 #include <string>
@@ -25,19 +27,20 @@ struct Knows_its_size<Map, Key,
 
 /// Throws if a property map has no values for some of the points because it was made for others.
 template <typename PointRange, typename Map>
-void check_size(const PointRange& points, const Map& map, const char* argument)
+void check_map_size(const PointRange& points, const Map& map, const char* argument,
+                    const Argument_check& check)
 {
   if constexpr (Knows_its_size<Map, std::decay_t<decltype(*points.begin())>>::value) {
     if constexpr (std::is_constructible<bool, const Map&>::value)
       if (!static_cast<bool>(map))
-        throw_bad_argument(argument, "null", "must be the map of a property");
+        check.refuse(argument, "null", "must be the map of a property");
     const std::size_t size = std::size_t(map.end() - map.begin());
     std::size_t i = 0;
     for (auto it = points.begin(); it != points.end(); ++it, ++i)
       if (std::size_t(*it) >= size)
-        throw_bad_argument(std::string("the size of ") + argument, size,
-                           "points[" + std::to_string(i) + "] has the number " +
-                               std::to_string(std::size_t(*it)));
+        check.refuse(std::string("the size of ") + argument, size,
+                     "points[" + std::to_string(i) + "] has the number " +
+                         std::to_string(std::size_t(*it)));
   }
 }
 

@@ -2,18 +2,18 @@
 #ifndef CGAL_POINT_SET_FLOW_INTERNAL_ENTRANCE_COPY_IN_H
 #define CGAL_POINT_SET_FLOW_INTERNAL_ENTRANCE_COPY_IN_H
 
-#include <CGAL/Point_set_flow/Core_kernel.h>
-#include <CGAL/Point_set_flow/internal/parallel/Array.h>
-#include <CGAL/Point_set_flow/internal/flow/Flow_parameters.h>
-#include <CGAL/Point_set_flow/internal/parallel/Loops.h>
-#include <CGAL/number_utils.h>
-#include <CGAL/property_map.h>
+#include <CGAL/license/Point_set_flow.h>
 
-#include <algorithm>
+#include <CGAL/Point_set_flow/internal/entrance/Caller_maps.h>
+#include <CGAL/Point_set_flow/internal/entrance/Frame.h>
+
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <iterator>
+#include <limits>
 #include <sstream>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -21,41 +21,10 @@ namespace CGAL {
 namespace Point_set_flow {
 namespace internal {
 
-/// How the coordinates of the core follow from those of the caller: \f$(p - center) / unit\f$.
-///
-/// Moving the data to the origin keeps the digits of georeferenced points. The unit is 1 for any
-/// ordinary data and a power of 2 where squared distances would leave the range of `double`.
-struct Frame {
-  double center[3] = {0., 0., 0.};
-  double unit = 1.;
-
-  template <typename Kernel_point_3>
-  Point_3 to_core(const Kernel_point_3& p) const
-  {
-    return Point_3(to_core(to_double(p.x()), center[0]), to_core(to_double(p.y()), center[1]),
-                   to_core(to_double(p.z()), center[2]));
-  }
-
-private:
-  double to_core(double c, double from) const
-  {
-    // the difference of the largest numbers is out of the range of `double`
-    return rounded(unit > 1. ? c / unit - from / unit : (c - from) / unit);
-  }
-
-  /// A whole multiple of \f$2^{-501}\f$: squared distances of distinct places must not become 0, or
-  /// any number of places would be the nearest. Nothing else is as small: the extent of the points
-  /// is at least \f$10^{-100}\f$.
-  static double rounded(double c)
-  {
-    const double digits = 1.5 * std::ldexp(1., -449);
-    return std::abs(c) < .25 * digits ? (c + digits) - digits : c;
-  }
-};
-
 /// Copies points as they are; throws if a coordinate is not finite.
 template <typename Kernel_point_3, typename PointRange, typename PointMap>
-Array<Point_3> copy_in(const PointRange& points, PointMap point_map, const std::string& argument)
+Array<Point_3> copy_points(const PointRange& points, PointMap point_map,
+                           const std::string& argument, const Argument_check& check)
 {
   Array<Point_3> copy;
   copy.reserve(std::size_t(std::distance(points.begin(), points.end())));
@@ -66,46 +35,43 @@ Array<Point_3> copy_in(const PointRange& points, PointMap point_map, const std::
     if (!(std::isfinite(c.x()) && std::isfinite(c.y()) && std::isfinite(c.z()))) {
       std::ostringstream value;
       value << "(" << c.x() << ", " << c.y() << ", " << c.z() << ")";
-      throw_bad_argument(argument + "[" + std::to_string(copy.size() - 1) + "]", value.str(),
-                         "coordinates must be finite");
+      check.refuse(argument + "[" + std::to_string(copy.size() - 1) + "]", value.str(),
+                   "coordinates must be finite");
     }
   }
+  if (copy.size() > (std::numeric_limits<std::uint32_t>::max)())
+    throw std::length_error(check.function() + ": more than 2^32 - 1 points");
   return copy;
 }
 
-/// The frame of points, which are not empty. Its center is the median of each coordinate: a few
-/// points far away, which scanners use for "nothing there", do not cost the others their digits.
-template <typename ConcurrencyTag>
-Frame find_frame(ConcurrencyTag, const Array<Point_3>& points, Progress& progress)
-{
+/// A private copy of what the caller gives, in the coordinates of the core.
+struct Input {
   Frame frame;
-  double extents[3];
-  const auto find = [&](std::size_t d, std::size_t) {
-    Array<double> coordinates(points.size());
-    for (std::size_t i = 0; i < points.size(); ++i)
-      coordinates[i] = points[i][int(d)];
-    const auto middle = coordinates.begin() + std::ptrdiff_t(points.size() / 2);
-    std::nth_element(coordinates.begin(), middle, coordinates.end());
-    frame.center[d] = *middle;
-    extents[d] = 0.;
-    for (const double c : coordinates)
-      extents[d] = (std::max)(extents[d], std::abs(c / 2. - frame.center[d] / 2.));
-  };
-  for_each_block<ConcurrencyTag>(3, progress, 0., find, 1);
-  const double extent = (std::max)({extents[0], extents[1], extents[2]});
-  if (extent > 1e140) // not more than it takes to square them
-    frame.unit = std::ldexp(1., std::ilogb(extent) - 465);
-  else if (extent != 0. && extent < 1e-100)
-    frame.unit = std::ldexp(1., (std::max)(std::ilogb(extent), -1020));
-  return frame;
-}
+  Array<Point_3> reference;      ///< \f$I\f$
+  Array<Point_3> start;          ///< \f$\chi\f$; empty if it is the reference
+  std::vector<char> constrained; ///< empty if no point is
 
-/// Brings a copy into the coordinates of the core.
-inline void move_to_core(Array<Point_3>& points, const Frame& frame)
-{
-  for (Point_3& p : points)
-    p = frame.to_core(p);
-}
+  /// \pre there are points
+  template <typename Maps, typename ConcurrencyTag>
+  Input(const Maps& maps, const Argument_check& check, Loops<ConcurrencyTag>& loops)
+  {
+    typedef typename Maps::Kernel_point_3 Kernel_point_3;
+    loops.ask(); // before the caller's maps are read
+    if constexpr (Maps::has_constraints) {
+      const auto map = parameters::get_parameter(maps.np, CGAL::internal_np::point_is_constrained);
+      for (auto it = maps.points.begin(); it != maps.points.end(); ++it)
+        constrained.push_back(get(map, *it) ? 1 : 0);
+    }
+    reference = copy_points<Kernel_point_3>(maps.points, maps.point_map, "points", check);
+    frame = find_frame(reference, loops);
+    move_to_core(reference, frame);
+    if constexpr (Maps::has_start) {
+      const auto map = parameters::get_parameter(maps.np, internal_np::initial_point_map_t());
+      start = copy_points<Kernel_point_3>(maps.points, map, "initial_point_map", check);
+      move_to_core(start, frame);
+    }
+  }
+};
 
 } // namespace internal
 } // namespace Point_set_flow

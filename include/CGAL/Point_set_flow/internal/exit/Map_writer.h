@@ -2,6 +2,8 @@
 #ifndef CGAL_POINT_SET_FLOW_INTERNAL_EXIT_MAP_WRITER_H
 #define CGAL_POINT_SET_FLOW_INTERNAL_EXIT_MAP_WRITER_H
 
+#include <CGAL/license/Point_set_flow.h>
+
 #include <cstddef>
 #include <utility>
 #include <vector>
@@ -10,13 +12,13 @@ namespace CGAL {
 namespace Point_set_flow {
 namespace internal {
 
-/// Writes values to a property map, and takes that back unless it is told to keep them: whatever
-/// throws in between, the map has its old values again.
+/// Writes values to a property map, and restores the old ones unless told to keep the new: if
+/// anything throws in between, the map has its old values again.
 template <typename Range, typename Map, typename Value>
 class Map_writer {
   Range& m_range;
   Map* m_map;
-  std::vector<Value> m_values; // of those that are written the old ones
+  std::vector<Value> m_values; // replaced by the old ones where written
   std::size_t m_written = 0;
   bool m_is_kept = false;
 
@@ -53,7 +55,7 @@ public:
         put(*m_map, *it, m_values[i]);
     }
     catch (...) {
-      // a map that can not be written any more; the first exception says more than this one
+      // a map that cannot be written anymore; the first exception is the informative one
     }
   }
 };

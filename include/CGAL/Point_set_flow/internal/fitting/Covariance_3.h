@@ -2,7 +2,11 @@
 #ifndef CGAL_POINT_SET_FLOW_INTERNAL_FITTING_COVARIANCE_3_H
 #define CGAL_POINT_SET_FLOW_INTERNAL_FITTING_COVARIANCE_3_H
 
+#include <CGAL/license/Point_set_flow.h>
+
 #include <CGAL/Point_set_flow/Neighborhood_3.h>
+
+#include <Eigen/Eigenvalues>
 
 #include <algorithm>
 #include <cmath>
@@ -49,49 +53,21 @@ struct Smallest_eigenpair_3 {
   double variation;
 };
 
-/// Cyclic Jacobi rotations: slow, but accurate in any case, also where eigenvalues meet.
+/// Slow, but accurate also where eigenvalues meet.
 /// \pre the trace is positive
-inline Smallest_eigenpair_3 smallest_eigenpair_by_rotations(const Covariance_3& c)
+inline Smallest_eigenpair_3 smallest_eigenpair_by_eigen(const Covariance_3& c)
 {
-  const double trace = c.trace();
-  double a[3][3] = {{c.xx, c.xy, c.xz}, {c.xy, c.yy, c.yz}, {c.xz, c.yz, c.zz}};
-  double v[3][3] = {{1., 0., 0.}, {0., 1., 0.}, {0., 0., 1.}}; // rows are the eigenvectors
-  const double negligible = trace * (std::numeric_limits<double>::epsilon)() * .01;
-
-  for (int sweep = 0; sweep < 12; ++sweep) {
-    if (std::abs(a[0][1]) + std::abs(a[0][2]) + std::abs(a[1][2]) <= negligible)
-      break;
-    for (int p = 0; p < 2; ++p)
-      for (int q = p + 1; q < 3; ++q) {
-        if (a[p][q] == 0.)
-          continue;
-        const double theta = (a[q][q] - a[p][p]) / (2. * a[p][q]);
-        const double t =
-            std::copysign(1., theta) / (std::abs(theta) + std::sqrt(theta * theta + 1.));
-        const double cosine = 1. / std::sqrt(t * t + 1.), sine = t * cosine;
-        const int r = 3 - p - q;
-        const double apr = a[p][r], aqr = a[q][r];
-        a[p][p] -= t * a[p][q];
-        a[q][q] += t * a[p][q];
-        a[p][q] = a[q][p] = 0.;
-        a[p][r] = a[r][p] = cosine * apr - sine * aqr;
-        a[q][r] = a[r][q] = sine * apr + cosine * aqr;
-        for (int i = 0; i < 3; ++i) {
-          const double vp = v[p][i], vq = v[q][i];
-          v[p][i] = cosine * vp - sine * vq;
-          v[q][i] = sine * vp + cosine * vq;
-        }
-      }
-  }
-  const int least =
-      a[0][0] <= a[1][1] ? (a[0][0] <= a[2][2] ? 0 : 2) : (a[1][1] <= a[2][2] ? 1 : 2);
-  const Vector_3 vector(v[least][0], v[least][1], v[least][2]);
-  return {vector / std::sqrt(vector.squared_length()), (std::max)(a[least][least], 0.) / trace};
+  const double scale = 1. / c.trace();
+  Eigen::Matrix3d matrix;
+  matrix << c.xx, c.xy, c.xz, c.xy, c.yy, c.yz, c.xz, c.yz, c.zz;
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(matrix * scale);
+  const Eigen::Vector3d v = solver.eigenvectors().col(0); // eigenvalues ascend
+  return {Vector_3(v.x(), v.y(), v.z()), (std::max)(solver.eigenvalues()[0], 0.)};
 }
 
 /// The smallest root of the characteristic polynomial by Newton's method, which rises to it from 0,
 /// and the vector that the other two eigenvectors leave. Where that does not come out well, because
-/// eigenvalues meet, by rotations.
+/// eigenvalues meet, by Eigen's solver.
 inline Smallest_eigenpair_3 smallest_eigenpair(const Covariance_3& c)
 {
   const double trace = c.trace();
@@ -130,7 +106,7 @@ inline Smallest_eigenpair_3 smallest_eigenpair(const Covariance_3& c)
                        xz * vector.x() + yz * vector.y() + zz * vector.z());
   const double variation = image * vector; // the Rayleigh quotient: twice as many digits
   if (!((image - variation * vector).squared_length() < 1e-24)) // or not a number
-    return smallest_eigenpair_by_rotations(c);
+    return smallest_eigenpair_by_eigen(c);
   return {vector, (std::max)(variation, 0.)};
 }
 

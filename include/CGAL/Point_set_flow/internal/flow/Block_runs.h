@@ -2,13 +2,14 @@
 #ifndef CGAL_POINT_SET_FLOW_INTERNAL_FLOW_BLOCK_RUNS_H
 #define CGAL_POINT_SET_FLOW_INTERNAL_FLOW_BLOCK_RUNS_H
 
+#include <CGAL/license/Point_set_flow.h>
+
 #include <CGAL/Point_set_flow/internal/flow/Flow_run.h>
 
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <numeric>
-#include <optional>
 #include <utility>
 #include <vector>
 
@@ -16,80 +17,115 @@ namespace CGAL {
 namespace Point_set_flow {
 namespace internal {
 
-/// What became of the sites of a buffer.
-struct Flow_result {
-  Array<Point_3> points;
-  Array<Vector_3> normals; ///< empty if they are not wanted; null vectors where there is no plane
-  Array<double> feature_strength; ///< empty if it is not wanted
-  Array<double> radii;            ///< of the neighborhoods; empty if they are not wanted
-  double moved = 0.;              ///< the mean distance in the last step
-
-  template <typename T>
-  static void append(Array<T>& to, Array<T>&& of_piece, const Piece& piece)
-  {
-    if (piece.core.empty())
-      to = std::move(of_piece);
-    else
-      for (const std::uint32_t i : piece.core)
-        to.push_back(of_piece[i]);
-  }
-};
-
-struct Wanted_outputs {
+/// Results that the caller asks for besides the points
+struct Wanted_results {
   bool normals, feature_strength, radii;
 };
 
-/// The flow on a point set: in one piece, or block by block if there are more points than `block`.
-/// \param buffer is emptied if it makes one piece
-template <typename ConcurrencyTag, typename Flow, typename Curvature>
-Flow_result run_pieces(ConcurrencyTag tag, Point_buffer& buffer, const Flow& flow,
-                       const Curvature& curvature, const Options& options, double unit,
-                       const Wanted_outputs& wanted, Progress& progress)
+/// The results for the distinct points.
+struct Flow_result {
+  Array<Point_3> points;
+  Array<Vector_3> normals; ///< empty if not wanted; null vectors where there is no plane
+  Array<double> feature_strength; ///< empty if not wanted
+  Array<double> radii;            ///< of the neighborhoods; empty if not wanted
+  double moved = 0.;              ///< the mean distance in the last step
+
+  template <typename T>
+  static void append(Array<T>& to, Array<T>&& of_block, const Block& block)
+  {
+    if (block.interior.empty())
+      to = std::move(of_block);
+    else
+      for (const std::uint32_t i : block.interior)
+        to.push_back(of_block[i]);
+  }
+};
+
+/// The cost of all stages, for the progress
+template <typename Flow, typename Curvature>
+double total_cost(const Flow_parameters& parameters, const Flow& flow, const Curvature&,
+                  const Wanted_results& wanted)
 {
-  const std::size_t n = buffer.size();
-  std::optional<Neighbor_tree> tree(std::in_place, tag, buffer.reference, progress);
-  progress.advance(work::tree);
-  const Flow_plan<Flow, Curvature> plan(tag, buffer, *tree, curvature, options, unit, progress);
-  Flow_result result;
-  std::vector<double> moved; // sums over the same points, however these are cut
-
-  const auto run_piece = [&](Piece piece) {
-    const double share = double(piece.core_size()) / double(n);
-    Flow_run<ConcurrencyTag, Flow, Curvature> run(plan, piece, flow, curvature, unit, progress,
-                                                  share);
-    run();
-    for (std::size_t i = 0; i < piece.core_size(); ++i) {
-      if (i % block_size == 0)
-        moved.push_back(0.);
-      moved.back() += run.moved(piece.core_place(i));
-    }
-    if (wanted.normals)
-      Flow_result::append(result.normals, run.find_normals(), piece);
-    if (wanted.feature_strength)
-      Flow_result::append(result.feature_strength, run.find_feature_strength(), piece);
-    if (wanted.radii)
-      Flow_result::append(result.radii, piece.graph.take_radii(), piece);
-    Flow_result::append(result.points, std::move(piece.points), piece);
-  };
-
-  if (n <= options.block_size) {
-    Piece all = take_all(tag, buffer, *tree, plan.search, progress, work::graph);
-    tree.reset();
-    run_piece(std::move(all));
-  }
-  else {
-    Piece_cutter cut(buffer, *tree, plan.search);
-    const std::size_t step = (options.block_size + block_size - 1) / block_size * block_size;
-    for (std::size_t begin = 0; begin < n; begin += step) {
-      std::vector<std::uint32_t> core((std::min)(step, n - begin));
-      std::iota(core.begin(), core.end(), static_cast<std::uint32_t>(begin));
-      run_piece(cut(tag, core, plan.number_of_rings(), progress,
-                    work::graph * double(core.size()) / double(n)));
-    }
-  }
-  result.moved = std::accumulate(moved.begin(), moved.end(), 0.) / double(n);
-  return result;
+  namespace costs = stage_costs;
+  const unsigned int steps =
+      parameters.number_of_iterations.value_or(Defaults_of<Curvature>::get().number_of_iterations);
+  const bool uses_surface_estimate = Uses_surface_estimate<Curvature>::value;
+  const double planes = uses_surface_estimate  ? costs::planes
+                        : uses_prefilter(flow) ? costs::prefilter + costs::planes
+                                               : 0.;
+  return costs::analysis + costs::graph +
+         (uses_surface_estimate ? costs::noise + costs::sheets + costs::shrink : 0.) +
+         steps * (planes + costs::step) +
+         (int(wanted.normals) + int(wanted.feature_strength)) * costs::planes;
 }
+
+/// The flow on a point set, block by block.
+template <typename ConcurrencyTag, typename Flow, typename Curvature>
+class Block_runs {
+  const Flow_plan& m_plan;
+  const Flow& m_flow;
+  const Curvature& m_curvature;
+  const Wanted_results m_wanted;
+  Loops<ConcurrencyTag>& m_loops;
+  std::vector<double> m_moved; // sums over chunks, the same for any blocks
+  Flow_result m_result;
+
+public:
+  Block_runs(const Flow_plan& plan, const Flow& flow, const Curvature& curvature,
+             const Wanted_results& wanted, Loops<ConcurrencyTag>& loops)
+      : m_plan(plan), m_flow(flow), m_curvature(curvature), m_wanted(wanted), m_loops(loops)
+  {}
+
+  /// Takes the points, and frees the tree, if one block holds them all.
+  Flow_result operator()(Analyzed_points& points, std::size_t block_size)
+  {
+    const std::size_t n = points.buffer().size();
+    if (n <= block_size) {
+      m_loops.begin_stage(stage_costs::graph);
+      Block all = take_all(points.buffer(), points.tree(), m_plan.search, m_loops);
+      points.forget_tree();
+      run(all);
+    }
+    else
+      run_in_turn(points, (block_size + chunk_size - 1) / chunk_size * chunk_size);
+    m_loops.set_share(1.);
+    m_result.moved = std::accumulate(m_moved.begin(), m_moved.end(), 0.) / double(n);
+    return std::move(m_result);
+  }
+
+private:
+  void run_in_turn(const Analyzed_points& points, std::size_t block_size)
+  {
+    const std::size_t n = points.buffer().size();
+    Block_cutter cut(points.buffer(), points.tree(), m_plan.search);
+    for (std::size_t begin = 0; begin < n; begin += block_size) {
+      std::vector<std::uint32_t> interior((std::min)(block_size, n - begin));
+      std::iota(interior.begin(), interior.end(), static_cast<std::uint32_t>(begin));
+      m_loops.set_share(double(interior.size()) / double(n));
+      m_loops.begin_stage(stage_costs::graph);
+      Block block = cut(interior, m_plan.number_of_rings(), m_loops);
+      run(block);
+    }
+  }
+
+  void run(Block& block)
+  {
+    Flow_run<ConcurrencyTag, Flow, Curvature> flow(m_plan, block, m_flow, m_curvature, m_loops);
+    flow();
+    for (std::size_t i = 0; i < block.interior_size(); ++i) {
+      if (i % chunk_size == 0)
+        m_moved.push_back(0.);
+      m_moved.back() += flow.moved(block.interior_place(i));
+    }
+    if (m_wanted.normals)
+      Flow_result::append(m_result.normals, flow.find_normals(), block);
+    if (m_wanted.feature_strength)
+      Flow_result::append(m_result.feature_strength, flow.find_feature_strength(), block);
+    if (m_wanted.radii)
+      Flow_result::append(m_result.radii, block.graph.take_radii(), block);
+    Flow_result::append(m_result.points, std::move(block.points), block);
+  }
+};
 
 } // namespace internal
 } // namespace Point_set_flow

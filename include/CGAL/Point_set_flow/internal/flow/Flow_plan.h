@@ -2,128 +2,147 @@
 #ifndef CGAL_POINT_SET_FLOW_INTERNAL_FLOW_FLOW_PLAN_H
 #define CGAL_POINT_SET_FLOW_INTERNAL_FLOW_FLOW_PLAN_H
 
+#include <CGAL/license/Point_set_flow.h>
+
 #include <CGAL/Point_set_flow/Diffusivity.h>
-#include <CGAL/Point_set_flow/internal/noise/Noise_map.h>
+#include <CGAL/Point_set_flow/Smoothing_report.h>
 #include <CGAL/Point_set_flow/internal/flow/Flow_parameters.h>
-#include <CGAL/Point_set_flow/internal/neighbors/Block.h>
-#include <CGAL/Point_set_flow/internal/neighbors/Surface.h>
 #include <CGAL/Point_set_flow/internal/flow/model_traits.h>
 #include <CGAL/Point_set_flow/internal/flow/prefilter.h>
 #include <CGAL/Point_set_flow/internal/flow/tangent_planes.h>
+#include <CGAL/Point_set_flow/internal/neighbors/Block_cutter.h>
+#include <CGAL/Point_set_flow/internal/noise/Analyzed_points.h>
 
 #include <algorithm>
 #include <cstddef>
-#include <cstdint>
 #include <limits>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
 namespace Point_set_flow {
 namespace internal {
 
-/// What the stages cost relative to each other, for the progress.
-namespace work {
-constexpr double order = 2., tree = 2., scale = .5, noise = .5, graph = 6., prefilter = 1.,
-                 planes = 1., thin_parts = 2., shrink = .5, step = 1.;
-
-/// \param uses_normals whether the estimator does
-/// \param prefiltered whether the flow is, and the estimator does not use normals
-/// \param outputs how many of normals and feature strength are wanted
-inline double total(unsigned int number_of_iterations, bool uses_normals, bool prefiltered,
-                    int outputs)
-{
-  const double before = uses_normals ? planes : prefiltered ? prefilter + planes : 0.;
-  return order + tree + scale + graph + (uses_normals ? noise + thin_parts + shrink : 0.) +
-         number_of_iterations * (before + step) + outputs * planes;
-}
-} // namespace work
-
 /// What is decided once, for the whole point set, from the parameters and from samples of the data.
-template <typename Flow, typename Curvature>
 class Flow_plan {
 public:
-  static constexpr bool uses_normals = Uses_normals<Curvature>::value;
-  // an estimator with normals filters by its weights
-  static constexpr bool prefiltered = Uses_prefilter<Flow>::value && !uses_normals;
-
-  const Curvature_defaults defaults = Defaults_of<Curvature>::get();
+  const Noise_map& noise_map;
+  const bool uses_surface_estimate; ///< whether the estimator does
+  /// whether the diffusivity is that of the prefiltered surface. An estimator that knows the noise
+  /// needs no filter: its variation is what the noise does not explain.
+  const bool is_prefiltered;
+  const bool is_k_given;
+  const Curvature_defaults defaults;
   const unsigned int number_of_iterations, update_period;
   const double step_length;
-  const bool is_k_given;
+  const std::size_t number_of_points, number_of_distinct_points;
+  const double unit; ///< the length of 1 in the core, in the unit of the data
   double filter_width;
   Search_options search;
-  Noise_map noise_map;
-  Diffusivity diffusivity = Diffusivity(0.), without_noise = diffusivity;
+  Diffusivity diffusivity = Diffusivity(0.);
+  Diffusivity feature_diffusivity = diffusivity; ///< for the feature strength, whatever the noise
 
-  /// \param unit the length of 1 in the buffer, in the unit of the data
-  template <typename ConcurrencyTag>
-  Flow_plan(ConcurrencyTag tag, const Point_buffer& buffer, const Neighbor_tree& tree,
-            const Curvature& curvature, const Options& options, double unit, Progress& progress)
-      : number_of_iterations(options.number_of_iterations.value_or(defaults.number_of_iterations)),
-        update_period(options.update_period),
-        step_length(options.step_length.value_or(defaults.step_length)),
-        is_k_given(options.k.has_value()),
-        filter_width(options.filter_width.value_or(defaults.filter_width)),
-        noise_map(tag, find_scale(tag, tree, progress, work::scale), progress)
+  template <typename Flow, typename Curvature, typename ConcurrencyTag>
+  Flow_plan(const Analyzed_points& points, const Flow& flow, const Curvature& curvature,
+            const Flow_parameters& parameters, double unit_, Loops<ConcurrencyTag>& loops)
+      : noise_map(points.noise_map()),
+        uses_surface_estimate(Uses_surface_estimate<Curvature>::value),
+        is_prefiltered(uses_prefilter(flow) && !uses_surface_estimate),
+        is_k_given(parameters.k.has_value()), defaults(Defaults_of<Curvature>::get()),
+        number_of_iterations(
+            parameters.number_of_iterations.value_or(defaults.number_of_iterations)),
+        update_period(parameters.update_period),
+        step_length(parameters.step_length.value_or(defaults.step_length)),
+        number_of_points(points.buffer().site_of.size()),
+        number_of_distinct_points(points.buffer().size()), unit(unit_),
+        filter_width(parameters.filter_width.value_or(defaults.filter_width))
   {
-    const double noise = uses_normals ? noise_map.largest() : noise_map.noise();
-    const unsigned int suited =
-        neighborhood_size(defaults, noise_map.spacing() > 0. ? noise / noise_map.spacing() : 0.);
-    search = {options.k.value_or(suited), 0.};
-    if (options.neighbor_radius > 0.) // not 0 in the buffer, which would be no limit
-      search.radius =
-          (std::max)(options.neighbor_radius / unit, (std::numeric_limits<double>::min)());
-    // of too few neighbors each one counts, near or not
-    if (uses_normals && !options.filter_width && search.k < suited)
-      filter_width *= double(suited) / double(search.k);
-
-    if (options.feature_threshold)
-      diffusivity = without_noise = Diffusivity(*options.feature_threshold);
+    plan_search(parameters);
+    if (parameters.feature_threshold)
+      diffusivity = feature_diffusivity = Diffusivity(*parameters.feature_threshold);
     else {
-      const double above_noise = 2.; // a feature has more than the noise makes of any point
-      const double noise_variation =
-          above_noise * typical_variation(tag, buffer, tree, curvature, progress);
+      const double above_noise = 2.; // features exceed the variation that noise causes anywhere
+      const double noise_variation = above_noise * typical_variation(points, curvature, loops);
       const double crease =
-          crease_variation(options.sharpness_angle.value_or(defaults.sharpness_angle));
+          crease_variation(parameters.sharpness_angle.value_or(defaults.sharpness_angle));
       diffusivity = Diffusivity::half_at((std::max)(crease, noise_variation));
-      without_noise = Diffusivity::half_at(crease);
+      feature_diffusivity = Diffusivity::half_at(crease);
     }
   }
 
-  /// How many rings of neighbors around a point have a say in what becomes of it.
+  /// How many rings of neighbors around a point make the halo on which its result depends.
   std::size_t number_of_rings() const
   {
-    const std::size_t outputs = 1;
-    return uses_normals ? 2 * std::size_t(number_of_iterations) + 3 + outputs
-                        : (prefiltered ? 2 : 1) * std::size_t(number_of_iterations) + outputs;
+    const std::size_t steps = number_of_iterations, outputs = 1;
+    return uses_surface_estimate ? 2 * steps + 3 + outputs
+                                 : (is_prefiltered ? 2 : 1) * steps + outputs;
+  }
+
+  /// What is known before the flow runs
+  Smoothing_report report() const
+  {
+    Smoothing_report report;
+    report.number_of_points = number_of_points;
+    report.number_of_distinct_points = number_of_distinct_points;
+    report.noise = noise_map.noise() * unit;
+    report.spacing = noise_map.spacing() * unit;
+    report.fewest_neighbors = report.most_neighbors = static_cast<unsigned int>(search.k);
+    if (uses_surface_estimate && !is_k_given) {
+      const std::pair<double, double> noise = noise_map.noise_range();
+      report.fewest_neighbors = suited_size(noise.first);
+      report.most_neighbors = suited_size(noise.second);
+    }
+    report.number_of_iterations = number_of_iterations;
+    report.filter_width = filter_width;
+    report.feature_threshold = diffusivity.feature_threshold();
+    return report;
   }
 
 private:
-  /// The median variation of the surface in the first step, over a sample of points
-  template <typename ConcurrencyTag>
-  double typical_variation(ConcurrencyTag tag, const Point_buffer& buffer,
-                           const Neighbor_tree& tree, const Curvature& curvature,
-                           Progress& progress) const
+  unsigned int suited_size(double noise) const
   {
-    const std::size_t rings = prefiltered ? 2 : 1;
-    Piece piece = Piece_cutter(buffer, tree, search)(tag, noise_map.samples(), rings, progress, 0.);
+    const double spacing = noise_map.spacing();
+    return defaults.neighborhood_size(spacing > 0. ? noise / spacing : 0.);
+  }
+
+  void plan_search(const Flow_parameters& parameters)
+  {
+    const unsigned int suited = suited_size(
+        uses_surface_estimate ? (std::max)(noise_map.noise(), noise_map.noise_range().second)
+                              : noise_map.noise());
+    search.k = parameters.k.value_or(suited);
+    if (parameters.neighbor_radius > 0.) // not 0 in the core, which would be no limit
+      search.radius =
+          (std::max)(parameters.neighbor_radius / unit, (std::numeric_limits<double>::min)());
+    // too few neighbors for the noise are weighted more evenly
+    if (uses_surface_estimate && !parameters.filter_width && search.k < suited)
+      filter_width *= double(suited) / double(search.k);
+  }
+
+  /// The median variation of the surface in the first step, over a sample of points
+  template <typename Curvature, typename ConcurrencyTag>
+  double typical_variation(const Analyzed_points& points, const Curvature& curvature,
+                           Loops<ConcurrencyTag>& loops) const
+  {
+    const std::size_t rings = is_prefiltered ? 2 : 1;
+    Block_cutter cut(points.buffer(), points.tree(), search);
+    Block block = cut(noise_map.samples().sites(), rings, loops);
     Surface_state state;
     state.spacing = noise_map.spacing();
-    if (uses_normals)
-      state.noise = noise_map.noise_at(tag, piece.reference, progress, 0.);
-    if (prefiltered) {
-      Array<Point_3> filtered(piece.reference.size());
-      prefilter<ConcurrencyTag>(piece.current_points(), piece.graph, filter_width, filtered,
-                                progress, 0.);
-      piece.points.swap(filtered);
+    if (uses_surface_estimate)
+      state.noise = noise_map.noise_at(block.reference, loops);
+    if (is_prefiltered) {
+      Array<Point_3> filtered;
+      prefilter(block.current_points(), block.graph, filter_width, filtered, loops);
+      block.points.swap(filtered);
     }
-    Array<double> variation(piece.reference.size());
-    std::vector<double> of_chosen;
-    find_tangent_planes<ConcurrencyTag>(piece.current_points(), piece.graph, filter_width, state,
-                                        curvature, nullptr, variation, progress, 0.);
-    for (const std::uint32_t i : piece.core)
-      of_chosen.push_back(variation[i]);
-    return of_chosen.empty() ? 0. : median(of_chosen);
+    Array<double> variation(block.reference.size());
+    find_tangent_planes({block.current_points(), block.graph, filter_width, state}, curvature,
+                        nullptr, variation, loops);
+    std::vector<double> of_samples;
+    for (std::size_t i = 0; i < block.interior_size(); ++i)
+      of_samples.push_back(variation[block.interior_place(i)]);
+    return of_samples.empty() ? 0. : median(of_samples);
   }
 };
 

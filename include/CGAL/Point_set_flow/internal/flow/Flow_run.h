@@ -2,108 +2,102 @@
 #ifndef CGAL_POINT_SET_FLOW_INTERNAL_FLOW_FLOW_RUN_H
 #define CGAL_POINT_SET_FLOW_INTERNAL_FLOW_FLOW_RUN_H
 
+#include <CGAL/license/Point_set_flow.h>
+
 #include <CGAL/Point_set_flow/Covariance_curvature.h>
+#include <CGAL/Point_set_flow/flows.h>
 #include <CGAL/Point_set_flow/internal/flow/Flow_plan.h>
-#include <CGAL/Point_set_flow/internal/flow/flow_step.h>
 #include <CGAL/Point_set_flow/internal/noise/two_sheets.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <vector>
+#include <cstdint>
 
 namespace CGAL {
 namespace Point_set_flow {
 namespace internal {
 
-/// The flow on one piece (Table 1), from the reference to the result.
+/// The flow on one block (Table 1), from the reference to the result.
 template <typename ConcurrencyTag, typename Flow, typename Curvature>
 class Flow_run {
-  typedef Flow_plan<Flow, Curvature> Plan;
-  static constexpr bool uses_normals = Plan::uses_normals, prefiltered = Plan::prefiltered;
+  static constexpr bool uses_surface_estimate = Uses_surface_estimate<Curvature>::value;
 
-  const Plan& m_plan;
-  Piece& m_piece;
+  const Flow_plan& m_plan;
+  Block& m_block;
   const Flow& m_flow;
   const Curvature& m_curvature;
-  Progress& m_progress;
-  double m_unit, m_share;
+  Loops<ConcurrencyTag>& m_loops;
   Surface_state m_state;
   Array<Point_3> m_before; // the last step
+  // of the tangent planes of the current surface if the estimator knows the noise, else of the
+  // prefiltered surface
+  Array<double> m_variation;
 
 public:
-  /// \param unit the length of 1 in the piece, in the unit of the data
-  /// \param share that of the piece in the progress
-  Flow_run(const Plan& plan, Piece& piece, const Flow& flow, const Curvature& curvature,
-           double unit, Progress& progress, double share)
-      : m_plan(plan), m_piece(piece), m_flow(flow), m_curvature(curvature), m_progress(progress),
-        m_unit(unit), m_share(share)
+  Flow_run(const Flow_plan& plan, Block& block, const Flow& flow, const Curvature& curvature,
+           Loops<ConcurrencyTag>& loops)
+      : m_plan(plan), m_block(block), m_flow(flow), m_curvature(curvature), m_loops(loops)
   {
     m_state.spacing = plan.noise_map.spacing();
-    if (uses_normals)
-      m_state.noise =
-          plan.noise_map.noise_at(ConcurrencyTag(), piece.reference, progress, share * work::noise);
+    if (uses_surface_estimate) {
+      loops.begin_stage(stage_costs::noise);
+      m_state.noise = plan.noise_map.noise_at(block.reference, loops);
+    }
   }
 
   /// All steps.
   void operator()()
   {
-    const std::size_t n = m_piece.reference.size();
-    Array<double> variation(n);
+    m_variation.resize(m_block.reference.size());
     Array<Point_3> filtered;
     for (unsigned int t = 0; t < m_plan.number_of_iterations; ++t) {
       if (m_plan.update_period != 0 && t != 0 && t % m_plan.update_period == 0)
-        m_piece.reference = m_piece.points; // section 3.2
-      m_before = Array<Point_3>();          // memory: there are new normals first
+        m_block.reference = m_block.points; // section 3.2
+      m_before = Array<Point_3>();          // save memory while normals are computed
       m_state.time = t == 0 ? 0. : t / (m_plan.number_of_iterations - 1.);
 
-      if (prefiltered) {
-        filtered.resize(n);
-        prefilter<ConcurrencyTag>(m_piece.current_points(), m_piece.graph, m_plan.filter_width,
-                                  filtered, m_progress, m_share * work::prefilter);
+      if (m_plan.is_prefiltered) {
+        m_loops.begin_stage(stage_costs::prefilter);
+        prefilter(m_block.current_points(), m_block.graph, m_plan.filter_width, filtered, m_loops);
+        find_planes(filtered, nullptr);
       }
-      if (prefiltered || uses_normals) {
-        Array<Vector_3> normals(uses_normals ? n : 0);
-        find_tangent_planes<ConcurrencyTag>(prefiltered ? filtered : m_piece.current_points(),
-                                            m_piece.graph, m_plan.filter_width, m_state,
-                                            m_curvature, uses_normals ? &normals : nullptr,
-                                            variation, m_progress, m_share * work::planes);
+      if (uses_surface_estimate) {
+        Array<Vector_3> normals(m_block.reference.size());
+        find_planes(m_block.current_points(), &normals);
         m_state.normals.swap(normals);
+        if (t == 0)
+          adapt_neighborhoods();
       }
-      if (uses_normals && t == 0)
-        adapt_neighborhoods();
 
       start();
-      m_before.resize(n);
-      m_before.swap(m_piece.points);
-      flow_step<ConcurrencyTag>(m_before, m_piece, m_plan.filter_width, m_state, m_curvature,
-                                prefiltered || uses_normals ? &variation : nullptr, m_flow,
-                                m_plan.diffusivity, m_plan.step_length, m_unit, m_progress,
-                                m_share * work::step);
-      if (m_before == m_piece.points) // nothing moves any more
+      m_before.resize(m_block.points.size());
+      m_before.swap(m_block.points);
+      step();
+      if (m_before == m_block.points) // nothing moves anymore
         break;
     }
     start(); // without iterations
   }
 
-  /// How far a point of the piece moved in the last step
+  /// How far a point of the block moved in the last step
   double moved(std::size_t i) const
   {
-    return m_before.empty() ? 0. : std::sqrt(squared_distance(m_piece.points[i], m_before[i]));
+    return m_before.empty() ? 0. : std::sqrt(squared_distance(m_block.points[i], m_before[i]));
   }
 
-  /// The normals of the points where they are now; null vectors where there are less than two
-  /// neighbors, and so no plane.
+  /// The normals of the points where they are now; null vectors where there are fewer than two
+  /// neighbors, hence no plane.
   Array<Vector_3> find_normals()
   {
-    Array<Vector_3> normals(m_piece.points.size());
-    Array<double> variation(m_piece.points.size());
-    // Without the noise, nearer neighbors tell more, and the strict weights of the last step
-    // would only hold on to the normals of the step before.
-    const double width = uses_normals ? .5 * m_plan.filter_width : m_plan.filter_width;
+    Array<Vector_3> normals(m_block.points.size());
+    Array<double> variation(m_block.points.size());
+    // Without noise, near neighbors are more informative, and the strict weights of the last step
+    // would only reproduce the normals of the step before.
+    const double width = uses_surface_estimate ? .5 * m_plan.filter_width : m_plan.filter_width;
     m_state.time = 0.;
-    find_tangent_planes<ConcurrencyTag>(m_piece.points, m_piece.graph, width, m_state, m_curvature,
-                                        &normals, variation, m_progress, m_share * work::planes);
+    m_loops.begin_stage(stage_costs::planes);
+    find_tangent_planes(surface(m_block.points, width), m_curvature, &normals, variation, m_loops);
     return normals;
   }
 
@@ -111,39 +105,83 @@ public:
   /// a crease of the sharpness angle if the caller gave no K
   Array<double> find_feature_strength()
   {
-    Array<double> strength(m_piece.points.size());
-    find_tangent_planes<ConcurrencyTag>(m_piece.points, m_piece.graph, m_plan.filter_width, m_state,
-                                        Covariance_curvature(), nullptr, strength, m_progress,
-                                        m_share * work::planes);
+    Array<double> strength(m_block.points.size());
+    m_loops.begin_stage(stage_costs::planes);
+    find_tangent_planes(surface(m_block.points, m_plan.filter_width), Covariance_curvature(),
+                        nullptr, strength, m_loops);
     for (double& x : strength)
-      x = 1. - m_plan.without_noise(x);
+      x = 1. - m_plan.feature_diffusivity(x);
     return strength;
   }
 
 private:
-  /// Gives the points a place of their own: memory, not before they move.
-  void start()
+  Surface surface(const Array<Point_3>& points, double filter_width) const
   {
-    if (!m_piece.points.empty())
-      return;
-    m_piece.points.resize(m_piece.reference.size());
-    const auto copy = [&](std::size_t begin, std::size_t end) {
-      std::copy(m_piece.reference.begin() + std::ptrdiff_t(begin),
-                m_piece.reference.begin() + std::ptrdiff_t(end),
-                m_piece.points.begin() + std::ptrdiff_t(begin));
-    };
-    for_each_block<ConcurrencyTag>(m_piece.points.size(), m_progress, 0., copy);
+    return {points, m_block.graph, filter_width, m_state};
   }
 
-  /// To thin parts and to noise that is not everywhere the same
+  void find_planes(const Array<Point_3>& points, Array<Vector_3>* normals)
+  {
+    m_loops.begin_stage(stage_costs::planes);
+    find_tangent_planes(surface(points, m_plan.filter_width), m_curvature, normals, m_variation,
+                        m_loops);
+  }
+
+  /// Allocates the moving points when they are first needed, to save memory.
+  void start()
+  {
+    if (!m_block.points.empty())
+      return;
+    m_block.points.resize(m_block.reference.size());
+    const auto copy = [&](std::size_t begin, std::size_t end) {
+      std::copy(m_block.reference.begin() + std::ptrdiff_t(begin),
+                m_block.reference.begin() + std::ptrdiff_t(end),
+                m_block.points.begin() + std::ptrdiff_t(begin));
+    };
+    m_loops.for_each_chunk(m_block.points.size(), copy);
+  }
+
+  /// To thin parts and to noise that varies over the surface
   void adapt_neighborhoods()
   {
-    const Array<std::uint32_t> sizes = find_thin_parts<ConcurrencyTag>(
-        m_piece.current_points(), m_piece.graph, m_plan.filter_width, m_plan.defaults, m_state,
-        m_progress, m_share * work::thin_parts);
-    if (!m_plan.is_k_given)
-      m_piece.graph.template shrink<ConcurrencyTag>(m_piece.reference, sizes, m_progress,
-                                                    m_share * work::shrink);
+    m_loops.begin_stage(stage_costs::sheets, sheet_loops);
+    const Array<std::uint32_t> sizes =
+        fit_sheets(surface(m_block.current_points(), m_plan.filter_width), m_plan.defaults,
+                   m_state.noise, m_loops);
+    if (!m_plan.is_k_given) {
+      m_loops.begin_stage(stage_costs::shrink);
+      m_block.graph.shrink(m_block.reference, sizes, m_loops);
+    }
+  }
+
+  /// One explicit step: \f$u \leftarrow u + s\,\partial u / \partial t\f$ for all points at once, so
+  /// that the result does not depend on the order of the points or on threads.
+  void step()
+  {
+    const Surface before = surface(m_before, m_plan.filter_width);
+    m_loops.begin_stage(stage_costs::step);
+    m_loops.for_each_chunk(before.size(), [&](std::size_t begin, std::size_t end) {
+      for (std::size_t i = begin; i < end; ++i) {
+        m_block.points[i] = m_before[i];
+        if (m_block.constrained.empty() || !m_block.constrained[i])
+          m_block.points[i] = m_before[i] + motion(before, i) * (m_plan.step_length / m_plan.unit);
+      }
+    });
+  }
+
+  /// \f$\partial u / \partial t\f$, in the unit of the data, which the flow sees
+  Vector_3 motion(const Surface& before, std::size_t i) const
+  {
+    const Neighborhood_3 neighborhood = before.neighborhood(i);
+    // estimators that do not use the normals of neighbors need no memory for them
+    const Tangent_plane_3 plane = uses_surface_estimate
+                                      ? Tangent_plane_3{m_state.normals[i], m_variation[i]}
+                                      : m_curvature.tangent_plane(neighborhood);
+    const double curvature = m_curvature.directional_curvature(neighborhood, plane);
+    return m_flow({plane.normal, curvature * m_plan.unit, plane.variation,
+                   m_plan.is_prefiltered ? m_variation[i] : plane.variation,
+                   (m_block.reference[i] - m_before[i]) * m_plan.unit},
+                  m_plan.diffusivity);
   }
 };
 

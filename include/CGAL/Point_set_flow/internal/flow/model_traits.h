@@ -2,8 +2,9 @@
 #ifndef CGAL_POINT_SET_FLOW_INTERNAL_FLOW_MODEL_TRAITS_H
 #define CGAL_POINT_SET_FLOW_INTERNAL_FLOW_MODEL_TRAITS_H
 
-#include <CGAL/Point_set_flow/Tangent_plane_curvature.h>
-#include <CGAL/Point_set_flow/flows.h>
+#include <CGAL/license/Point_set_flow.h>
+
+#include <CGAL/Point_set_flow/Curvature_defaults.h>
 
 #include <type_traits>
 
@@ -11,28 +12,64 @@ namespace CGAL {
 namespace Point_set_flow {
 namespace internal {
 
-/// Whether a flow looks at the prefiltered surface: it does unless it says no.
+// Properties that models of PointSetFlow and PointSetCurvature declare: by a nested type or, if they
+// are known at run time only, by a member function.
+
+/// Whether a flow looks at the variation of the prefiltered surface. It does unless declared otherwise.
 template <typename Flow, typename = void>
 struct Uses_prefilter : std::true_type {};
 template <typename Flow>
 struct Uses_prefilter<Flow, std::void_t<typename Flow::Uses_prefilter>>
     : std::bool_constant<Flow::Uses_prefilter::value> {};
 
-/// Whether an estimator looks at the normals of the step before: it does if it says so.
+template <typename Flow>
+auto uses_prefilter(const Flow& flow, int) -> decltype(flow.uses_prefilter())
+{
+  return flow.uses_prefilter();
+}
+template <typename Flow>
+bool uses_prefilter(const Flow&, long)
+{
+  return Uses_prefilter<Flow>::value;
+}
+template <typename Flow>
+bool uses_prefilter(const Flow& flow)
+{
+  return uses_prefilter(flow, 0);
+}
+
+/// Whether a flow or an estimator keeps points within their neighborhoods. Must be declared.
+template <typename Model, typename = void>
+struct Stays_in_neighborhood : std::false_type {};
+template <typename Model>
+struct Stays_in_neighborhood<Model, std::void_t<typename Model::Stays_in_neighborhood>>
+    : std::bool_constant<Model::Stays_in_neighborhood::value> {};
+
+template <typename Model>
+auto stays_in_neighborhood(const Model& model, int) -> decltype(model.stays_in_neighborhood())
+{
+  return model.stays_in_neighborhood();
+}
+template <typename Model>
+bool stays_in_neighborhood(const Model&, long)
+{
+  return Stays_in_neighborhood<Model>::value;
+}
+template <typename Model>
+bool stays_in_neighborhood(const Model& model)
+{
+  return stays_in_neighborhood(model, 0);
+}
+
+/// Whether an estimator uses the normals of the neighbors and the noise. Must be
+/// declared.
 template <typename Curvature, typename = void>
-struct Uses_normals : std::false_type {};
+struct Uses_surface_estimate : std::false_type {};
 template <typename Curvature>
-struct Uses_normals<Curvature, std::void_t<typename Curvature::Uses_normals>>
-    : std::bool_constant<Curvature::Uses_normals::value> {};
+struct Uses_surface_estimate<Curvature, std::void_t<typename Curvature::Uses_surface_estimate>>
+    : std::bool_constant<Curvature::Uses_surface_estimate::value> {};
 
-/// Whether points are kept from going farther than their neighbors, in all steps together. The
-/// default does not need more, and gets no worse in degenerate places; other flows go where they go.
-template <typename Flow, typename Curvature>
-struct Stays_in_neighborhood
-    : std::bool_constant<std::is_same<Flow, Balanced_flow>::value &&
-                         std::is_same<Curvature, Tangent_plane_curvature>::value> {};
-
-/// The parameters that suit an estimator.
+/// The parameters that suit an estimator
 template <typename Curvature, typename = void>
 struct Defaults_of {
   static Curvature_defaults get() { return Curvature_defaults(); }

@@ -2,9 +2,11 @@
 #ifndef CGAL_POINT_SET_FLOW_INTERNAL_FLOW_PREFILTER_H
 #define CGAL_POINT_SET_FLOW_INTERNAL_FLOW_PREFILTER_H
 
+#include <CGAL/license/Point_set_flow.h>
+
 #include <CGAL/Point_set_flow/internal/neighbors/Neighbor_graph.h>
 
-#include <vector>
+#include <cstddef>
 
 namespace CGAL {
 namespace Point_set_flow {
@@ -14,8 +16,9 @@ namespace internal {
 /// point becomes the Gaussian-weighted mean of itself and its neighbors.
 template <typename ConcurrencyTag>
 void prefilter(const Array<Point_3>& points, const Neighbor_graph& graph, double filter_width,
-               Array<Point_3>& filtered, Progress& progress, double work)
+               Array<Point_3>& filtered, Loops<ConcurrencyTag>& loops)
 {
+  filtered.resize(points.size());
   const auto filter = [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
       const Neighborhood_3 neighborhood = graph.neighborhood(points, i, filter_width);
@@ -30,7 +33,7 @@ void prefilter(const Array<Point_3>& points, const Neighbor_graph& graph, double
       filtered[i] = points[i] + sum / weights;
     }
   };
-  for_each_block<ConcurrencyTag>(points.size(), progress, work, filter);
+  loops.for_each_chunk(points.size(), filter);
 }
 
 } // namespace internal

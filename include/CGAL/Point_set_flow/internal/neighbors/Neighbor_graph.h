@@ -2,9 +2,12 @@
 #ifndef CGAL_POINT_SET_FLOW_INTERNAL_NEIGHBORS_NEIGHBOR_GRAPH_H
 #define CGAL_POINT_SET_FLOW_INTERNAL_NEIGHBORS_NEIGHBOR_GRAPH_H
 
+#include <CGAL/license/Point_set_flow.h>
+
 #include <CGAL/Point_set_flow/Neighborhood_3.h>
 #include <CGAL/Point_set_flow/internal/parallel/Array.h>
 #include <CGAL/Point_set_flow/internal/neighbors/Group_search.h>
+#include <CGAL/Point_set_flow/internal/neighbors/Search_options.h>
 #include <CGAL/Point_set_flow/internal/parallel/Loops.h>
 
 #include <algorithm>
@@ -33,20 +36,19 @@ public:
       : m_stride(tree.points().empty() ? 0 : (std::min)(k, tree.points().size() - 1))
   {}
 
-  /// \param radius the distance beyond which there are no neighbors, 0 for no limit
   template <typename ConcurrencyTag>
-  Neighbor_graph(ConcurrencyTag tag, const Neighbor_tree& tree, std::size_t k, double radius,
-                 Progress& progress, double work)
-      : Neighbor_graph(tree, k)
+  Neighbor_graph(const Neighbor_tree& tree, const Search_options& search,
+                 Loops<ConcurrencyTag>& loops)
+      : Neighbor_graph(tree, search.k)
   {
     typedef boost::counting_iterator<std::size_t> Site;
-    add(tag, tree, Site(0), Site(tree.points().size()), radius, progress, work);
+    add(tree, Site(0), Site(tree.points().size()), search.radius, loops);
   }
 
   /// Adds points of the tree, which follow each other in space, with their neighbors.
   template <typename ConcurrencyTag, typename Iterator>
-  void add(ConcurrencyTag, const Neighbor_tree& tree, Iterator first, Iterator last, double radius,
-           Progress& progress, double work)
+  void add(const Neighbor_tree& tree, Iterator first, Iterator last, double radius,
+           Loops<ConcurrencyTag>& loops)
   {
     const std::size_t before = m_radii.size(), count = std::size_t(last - first);
     if (m_stride == 0) {
@@ -57,7 +59,7 @@ public:
     m_neighbors.resize(offset(before + count, m_stride));
     m_sizes.resize(before + count);
     m_radii.resize(before + count);
-    for_each_block<ConcurrencyTag>(count, progress, work, [&](std::size_t begin, std::size_t end) {
+    loops.for_each_chunk(count, [&](std::size_t begin, std::size_t end) {
       Group_search search(tree, m_stride, radius);
       std::size_t i = before + begin;
       search(first + std::ptrdiff_t(begin), first + std::ptrdiff_t(end),
@@ -116,11 +118,11 @@ public:
   /// \param points where the points were when the graph was made
   /// \param sizes how many, for each point; more than there are is as many as there are
   template <typename ConcurrencyTag>
-  void shrink(const Array<Point_3>& points, const Array<std::uint32_t>& sizes, Progress& progress,
-              double work)
+  void shrink(const Array<Point_3>& points, const Array<std::uint32_t>& sizes,
+              Loops<ConcurrencyTag>& loops)
   {
-    const auto shrink_block = [&](std::size_t begin, std::size_t end) {
-      std::vector<Neighbor_tree::Neighbor> nearest;
+    const auto shrink_chunk = [&](std::size_t begin, std::size_t end) {
+      std::vector<Neighbor> nearest;
       for (std::size_t i = begin; i < end; ++i) {
         if (sizes[i] >= m_sizes[i] || sizes[i] == 0)
           continue;
@@ -131,15 +133,15 @@ public:
           nearest.push_back({squared_distance(points[i], points[*j]), *j});
         const auto nth = nearest.begin() + (sizes[i] - 1);
         std::nth_element(nearest.begin(), nth, nearest.end());
-        const Neighbor_tree::Neighbor farthest = *nth;
+        const Neighbor farthest = *nth;
         const std::uint32_t* const rest = std::remove_if(first, last, [&](std::uint32_t j) {
-          return farthest < Neighbor_tree::Neighbor{squared_distance(points[i], points[j]), j};
+          return farthest < Neighbor{squared_distance(points[i], points[j]), j};
         });
         m_sizes[i] = static_cast<std::uint32_t>(rest - first);
         m_radii[i] = std::sqrt(farthest.squared_distance);
       }
     };
-    for_each_block<ConcurrencyTag>(sizes.size(), progress, work, shrink_block);
+    loops.for_each_chunk(sizes.size(), shrink_chunk);
   }
 };
 

@@ -2,9 +2,11 @@
 #ifndef CGAL_POINT_SET_FLOW_INTERNAL_NEIGHBORS_NEIGHBOR_TREE_H
 #define CGAL_POINT_SET_FLOW_INTERNAL_NEIGHBORS_NEIGHBOR_TREE_H
 
+#include <CGAL/license/Point_set_flow.h>
+
 #include <CGAL/Point_set_flow/Core_kernel.h>
 #include <CGAL/Point_set_flow/internal/parallel/Array.h>
-#include <CGAL/Point_set_flow/internal/parallel/Progress.h>
+#include <CGAL/Point_set_flow/internal/parallel/Loops.h>
 #include <CGAL/Kd_tree.h>
 #include <CGAL/Search_traits_3.h>
 #include <CGAL/Search_traits_adapter.h>
@@ -16,21 +18,16 @@
 #include <algorithm>
 #include <array>
 #include <atomic>
-#include <cmath>
 #include <cstddef>
-#include <cstdint>
 #include <exception>
 #include <limits>
 #include <thread>
-#include <vector>
 
 namespace CGAL {
 namespace Point_set_flow {
 namespace internal {
 
-/// CGAL's kd-tree over an array of points, with a search of its own: it keeps its result in one
-/// sorted buffer of the caller and starts from what the query before it found. That makes it
-/// several times faster than `Orthogonal_k_neighbor_search` for points in spatial order.
+/// CGAL's kd-tree over an array of points. `Neighbor_query` and `Group_search` search it.
 class Neighbor_tree {
   typedef Pointer_property_map<Point_3>::const_type Point_map;
   typedef Search_traits_adapter<std::size_t, Point_map, Search_traits_3<Core_kernel>> Traits;
@@ -49,7 +46,7 @@ class Neighbor_tree {
       if (stopped)
         return;
       try {
-        progress.advance(0.);
+        progress.ask();
       }
       catch (...) {
         error = std::current_exception();
@@ -98,13 +95,15 @@ class Neighbor_tree {
   };
   typedef Kd_tree<Traits, Splitter, Tag_true> Tree;
 
-  const Array<Point_3>& m_points;
-  Building m_building;
-  Tree m_tree;
-
+public:
   typedef Tree::Node_const_handle Node;
   typedef Tree::Leaf_node_const_handle Leaf;
   typedef Tree::Internal_node_const_handle Internal;
+
+private:
+  const Array<Point_3>& m_points;
+  Building m_building;
+  Tree m_tree;
 
   /// \param offset the distance from the box to that of the node in each coordinate
   template <typename Visit>
@@ -130,19 +129,9 @@ class Neighbor_tree {
   }
 
 public:
-  struct Neighbor {
-    double squared_distance;
-    std::uint32_t index;
-    bool operator<(const Neighbor& other) const // equal distances: the order of the points decides
-    {
-      return squared_distance < other.squared_distance ||
-             (squared_distance == other.squared_distance && index < other.index);
-    }
-  };
-
   template <typename ConcurrencyTag>
-  Neighbor_tree(ConcurrencyTag, const Array<Point_3>& points, Progress& progress)
-      : m_points(points), m_building{progress, points},
+  Neighbor_tree(const Array<Point_3>& points, Loops<ConcurrencyTag>& loops)
+      : m_points(points), m_building{loops, points},
         m_tree(boost::counting_iterator<std::size_t>(0),
                boost::counting_iterator<std::size_t>(points.size()), Splitter(&m_building),
                Traits(Point_map(points.data())))
@@ -157,6 +146,8 @@ public:
   Neighbor_tree& operator=(const Neighbor_tree&) = delete;
 
   const Array<Point_3>& points() const { return m_points; }
+  /// \pre there are points
+  Node root() const { return m_tree.root(); }
 
   /// Calls `visit(begin, end)` for the indices in each leaf that may have points within a distance of
   /// a box, always in the same order, until it returns `false`.
@@ -166,107 +157,8 @@ public:
                     double squared_distance, const Visit& visit) const
   {
     return m_points.empty() ||
-           visit_leaves(m_tree.root(), low, high, {{0., 0., 0.}}, squared_distance, visit);
+           visit_leaves(root(), low, high, {{0., 0., 0.}}, squared_distance, visit);
   }
-
-  /// One thread's search for the `k` nearest neighbors of points of the array.
-  class Query {
-    const Neighbor_tree& m_owner;
-    std::size_t m_k;
-    double m_largest; // no neighbor is farther than this squared distance
-    double m_bound = 0.;
-    static constexpr std::size_t nowhere = std::size_t(-1);
-    std::size_t m_center = 0; // is not its own neighbor
-    Point_3 m_before = Point_3(0., 0., 0.);
-    std::array<double, 3> m_query = {{0., 0., 0.}};
-    std::vector<Neighbor> m_found;
-
-  public:
-    /// \param radius the distance beyond which there are no neighbors, 0 for no limit
-    Query(const Neighbor_tree& tree, std::size_t k, double radius = 0.)
-        : m_owner(tree), m_k(k),
-          m_largest(radius > 0. ? radius * radius : (std::numeric_limits<double>::infinity)())
-    {
-      m_found.reserve(k + 1);
-    }
-
-    /// The nearest neighbors of point `i`, without itself, nearest first.
-    const std::vector<Neighbor>& operator()(std::size_t i)
-    {
-      if (m_center == nowhere)
-        m_found.clear(); // point i may be among them
-      m_center = i;
-      return search(m_owner.m_points[i]);
-    }
-
-    /// The nearest points of any place, nearest first.
-    const std::vector<Neighbor>& operator()(const Point_3& place)
-    {
-      m_center = nowhere;
-      return search(place);
-    }
-
-  private:
-    const std::vector<Neighbor>& search(const Point_3& p)
-    {
-      m_bound = m_largest;
-      if (m_found.size() == m_k) {
-        // the ball of the previous answer holds k points other than this one (its own center
-        // instead, if this one was among them): so does, around this point, a ball larger by the
-        // distance of the two
-        const double moved = std::sqrt(squared_distance(p, m_before));
-        const double radius = std::sqrt(m_found.back().squared_distance) + moved;
-        m_bound = (std::min)(m_bound, radius * radius * (1. + 1e-12) +
-                                          (std::numeric_limits<double>::min)()); // rounding
-      }
-      m_found.clear();
-      m_before = p;
-      m_query = {{p.x(), p.y(), p.z()}};
-      visit(m_owner.m_tree.root(), {{0., 0., 0.}});
-      return m_found;
-    }
-
-    /// \param offset the distance from the query to the box of the node in each coordinate
-    void visit(Node node, const std::array<double, 3>& offset)
-    {
-      if (node->is_leaf()) {
-        const Leaf leaf = static_cast<Leaf>(node);
-        for (auto it = leaf->begin(); it != leaf->end(); ++it)
-          offer(*it);
-        return;
-      }
-      const Internal inner = static_cast<Internal>(node);
-      const std::size_t d = std::size_t(inner->cutting_dimension());
-      const double below = m_query[d] - inner->lower_high_value();
-      const double above = inner->upper_low_value() - m_query[d];
-      const bool lower_first = above >= below;
-      visit(lower_first ? inner->lower() : inner->upper(), offset);
-
-      std::array<double, 3> far = offset;
-      far[d] = (std::max)(far[d], lower_first ? above : below);
-      // the sum in the order of squared_distance(): rounding can not make a box farther than the
-      // points in it
-      if (far[0] * far[0] + far[1] * far[1] + far[2] * far[2] <= m_bound)
-        visit(lower_first ? inner->upper() : inner->lower(), far);
-    }
-
-    void offer(std::size_t i)
-    {
-      const Point_3& p = m_owner.m_points[i];
-      const double x = m_query[0] - p.x(), y = m_query[1] - p.y(), z = m_query[2] - p.z();
-      const Neighbor candidate = {x * x + y * y + z * z, static_cast<std::uint32_t>(i)};
-      if (!(candidate.squared_distance <= m_bound) || i == m_center)
-        return;
-      if (m_found.size() == m_k) {
-        if (!(candidate < m_found.back()))
-          return;
-        m_found.pop_back();
-      }
-      m_found.insert(std::upper_bound(m_found.begin(), m_found.end(), candidate), candidate);
-      if (m_found.size() == m_k)
-        m_bound = m_found.back().squared_distance;
-    }
-  };
 };
 
 } // namespace internal

@@ -2,76 +2,32 @@
 #ifndef CGAL_POINT_SET_FLOW_INTERNAL_NOISE_TWO_SHEETS_H
 #define CGAL_POINT_SET_FLOW_INTERNAL_NOISE_TWO_SHEETS_H
 
-#include <CGAL/Point_set_flow/internal/fitting/Angle_weight.h>
-#include <CGAL/Point_set_flow/internal/fitting/Neighbor_pairs.h>
-#include <CGAL/Point_set_flow/internal/neighbors/Neighbor_graph.h>
+#include <CGAL/license/Point_set_flow.h>
+
+#include <CGAL/Point_set_flow/Curvature_defaults.h>
+#include <CGAL/Point_set_flow/internal/fitting/plane_distances.h>
 #include <CGAL/Point_set_flow/internal/neighbors/Surface.h>
-#include <CGAL/Point_set_flow/internal/noise/Scale_samples.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <limits>
-#include <vector>
 
 namespace CGAL {
 namespace Point_set_flow {
 namespace internal {
 
 // Where two sheets of a surface are close to each other, the points of both make one thick layer,
-// and the distance of the sheets passes for noise. But the distances from the middle of such a
-// layer have two peaks, and their kurtosis tells: with the sheets at +-a and the noise s,
+// and the distance between the sheets is mistaken for noise. But the distances from the middle of
+// such a layer are bimodal, which their kurtosis shows: with the sheets at +-a and the noise s,
 //   variance = a^2 + s^2  and  excess kurtosis = -2 a^4 / (a^2 + s^2)^2.
 
-/// Moments of the distances of a point from the tangent planes of its neighborhood
-struct Distance_moments {
-  double second, fourth; // about the mean
-
-  // cppcheck-suppress uninitMemberVar // those in an `Array` are not initialized on purpose
-  Distance_moments() = default;
-
-  /// \param unit the length of 1, to keep fourth powers in the range of `double`
-  Distance_moments(const Neighborhood_3& neighborhood, double unit) : second(0.), fourth(0.)
-  {
-    if (neighborhood.size() < 2)
-      return; // no plane
-
-    const Angle_weight angle(neighborhood.noise() / neighborhood.spacing(), 0.);
-    const double width = neighborhood.gaussian_width();
-    const double near = 1. / (2. * width * width + (std::numeric_limits<double>::min)());
-    const Two_by_two two(neighborhood);
-    Lanes in_two[5] = {Lanes(0., 0.), Lanes(0., 0.), Lanes(0., 0.), Lanes(0., 0.), Lanes(0., 0.)};
-    for (std::size_t j = 0; j < neighborhood.size(); j += 2) {
-      const Lanes_3 d = two.differences(j), normals = two.normals(j);
-      const Lanes z = d * two.normal, cosine = normals * two.normal;
-      const Lanes x = two.mean_height(z, d * normals, cosine) / unit;
-      const Lanes tangential = (d.squared_length() - z * z).max(0.);
-      Lanes power = bell(tangential * near + angle.exponent(cosine));
-      for (Lanes& sum : in_two) {
-        sum += power;
-        power *= x;
-      }
-    }
-    double sums[5];
-    for (int i = 0; i < 5; ++i)
-      sums[i] = in_two[i].sum();
-    sums[0] -= two.pads();
-    if (!(sums[0] > 0.))
-      return; // no neighbors
-    const double m1 = sums[1] / sums[0], m2 = sums[2] / sums[0], m3 = sums[3] / sums[0];
-    second = (std::max)(m2 - m1 * m1, 0.);
-    fourth = (std::max)(
-        sums[4] / sums[0] - 4. * m1 * m3 + 6. * m1 * m1 * m2 - 3. * m1 * m1 * m1 * m1, 0.);
-  }
-};
-
-/// Averages over the neighbors: the kurtosis of one neighborhood alone is mostly chance.
+/// Averages over the neighbors: the kurtosis of a single neighborhood is mostly sampling error.
 template <typename ConcurrencyTag>
-void pool(const Neighbor_graph& graph, Array<Distance_moments>& moments, Progress& progress,
-          double work)
+void pool(const Neighbor_graph& graph, Array<Distance_moments>& moments,
+          Loops<ConcurrencyTag>& loops)
 {
-  const std::size_t most = 64; // all over the neighborhood
+  const std::size_t most = 64; // spread over the neighborhood
   Array<Distance_moments> pooled(moments.size());
   const auto average = [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
@@ -87,60 +43,77 @@ void pool(const Neighbor_graph& graph, Array<Distance_moments>& moments, Progres
       pooled[i].fourth = sum.fourth / count;
     }
   };
-  for_each_block<ConcurrencyTag>(moments.size(), progress, work, average);
+  loops.for_each_chunk(moments.size(), average);
   moments.swap(pooled);
 }
 
-/// Finds the noise within the sheets of thin parts, and what neighborhoods suit them.
-/// \param state with normals and the noise around each point, which becomes smaller on thin parts
-/// \return the number of neighbors that each point should have
-template <typename ConcurrencyTag>
-Array<std::uint32_t> find_thin_parts(const Array<Point_3>& points, const Neighbor_graph& graph,
-                                     double filter_width, const Curvature_defaults& defaults,
-                                     Surface_state& state, Progress& progress, double work)
-{
-  Array<std::uint32_t> sizes(points.size(), static_cast<std::uint32_t>(graph.largest_size()));
-  if (!(state.spacing > 0.))
-    return sizes;
-  const double unit = state.spacing;
-  Array<Distance_moments> moments(points.size());
-  const auto measure = [&](std::size_t begin, std::size_t end) {
-    for (std::size_t i = begin; i < end; ++i)
-      moments[i] = Distance_moments(graph.neighborhood(points, i, filter_width, state.at(i)), unit);
-  };
-  for_each_block<ConcurrencyTag>(points.size(), progress, .4 * work, measure);
-  for (int i = 0; i < 3; ++i)
-    pool<ConcurrencyTag>(graph, moments, progress, .15 * work);
+/// What suits one point: the noise within its sheet, and the number of neighbors.
+struct Sheet_fit {
+  double noise;
+  std::uint32_t size;
 
-  // a flat-topped distribution, or a neighborhood hardly wider than the noise, has a negative
-  // excess without having two peaks
-  const double chance = .4, certain = .6, few = .4, fewest = 12., clean = .1, noisy = .18;
-  const auto suit = [&](std::size_t i) {
-    const double variance = moments[i].second;
-    double excess = variance > 0. ? moments[i].fourth / (variance * variance) - 3. : 0.;
-    if (!std::isfinite(excess)) // moments of distances out of the range of fourth powers
-      excess = 0.;
+  /// \param moments of the distances from the tangent planes, in spacings
+  /// \param found_noise, spacing around the point
+  Sheet_fit(const Distance_moments& moments, double found_noise, double spacing,
+            const Curvature_defaults& defaults)
+      : noise(found_noise)
+  {
     const auto share = [](double x, double low, double high) {
       return (std::min)((std::max)((x - low) / (high - low), 0.), 1.);
     };
-    const double between = std::sqrt(share(-excess, chance, 2.));
-    double& noise = state.noise[i];
+    const double variance = moments.second;
+    double excess = variance > 0. ? moments.fourth / (variance * variance) - 3. : 0.;
+    if (!std::isfinite(excess)) // moments of distances out of the range of fourth powers
+      excess = 0.;
+    // a flat-topped distribution, or a neighborhood hardly wider than the noise, has a negative
+    // excess without being bimodal
+    const double doubtful = .4, certain = .6;
+    const double between = std::sqrt(share(-excess, doubtful, 2.));
     if (between > 0.)
-      noise = (std::min)(noise, unit * std::sqrt(variance * (1. - between)));
+      noise = (std::min)(noise, spacing * std::sqrt(variance * (1. - between)));
 
-    const double ratio = noise / state.spacing;
-    const double size = neighborhood_size(defaults, ratio);
+    const double ratio = noise / spacing;
+    const double few = .4, fewest = 12.;
+    const double usual = defaults.neighborhood_size(ratio);
     const double small = few * defaults.size_factor * std::pow(ratio, defaults.size_exponent);
-    const double suited = size + share(-excess, chance, certain) * (std::min)(small - size, 0.);
-    sizes[i] = static_cast<std::uint32_t>(std::round((std::max)(suited, (std::min)(fewest, size))));
-    // noise of a tenth of the spacing may as well be the shape between the points
+    const double suited = usual + share(-excess, doubtful, certain) * (std::min)(small - usual, 0.);
+    size = static_cast<std::uint32_t>(std::round((std::max)(suited, (std::min)(fewest, usual))));
+    // noise of a tenth of the spacing cannot be distinguished from surface detail
+    const double clean = .1, noisy = .18;
     noise *= share(ratio, clean, noisy);
-  };
-  for_each_block<ConcurrencyTag>(points.size(), progress, .15 * work,
-                                 [&](std::size_t begin, std::size_t end) {
-                                   for (std::size_t i = begin; i < end; ++i)
-                                     suit(i);
-                                 });
+  }
+};
+
+/// The number of loops of `fit_sheets()`
+constexpr int sheet_loops = 5;
+
+/// Finds the noise within the sheets of thin parts, and what neighborhoods suit them.
+/// \param surface with normals
+/// \param noise the noise around each point; is reduced on thin parts
+/// \return the number of neighbors that each point should have
+template <typename ConcurrencyTag>
+Array<std::uint32_t> fit_sheets(const Surface& surface, const Curvature_defaults& defaults,
+                                Array<double>& noise, Loops<ConcurrencyTag>& loops)
+{
+  const std::size_t n = surface.size();
+  const double spacing = surface.state.spacing;
+  Array<std::uint32_t> sizes(n, static_cast<std::uint32_t>(surface.graph.largest_size()));
+  if (!(spacing > 0.))
+    return sizes;
+  Array<Distance_moments> moments(n);
+  loops.for_each_chunk(n, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i)
+      moments[i] = Distance_moments(surface.neighborhood(i), spacing);
+  });
+  for (int i = 0; i < 3; ++i)
+    pool(surface.graph, moments, loops);
+  loops.for_each_chunk(n, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) {
+      const Sheet_fit fit(moments[i], noise[i], spacing, defaults);
+      noise[i] = fit.noise;
+      sizes[i] = fit.size;
+    }
+  });
   return sizes;
 }
 

@@ -2,13 +2,13 @@
 #ifndef CGAL_POINT_SET_FLOW_INTERNAL_ORDER_POINT_BUFFER_H
 #define CGAL_POINT_SET_FLOW_INTERNAL_ORDER_POINT_BUFFER_H
 
+#include <CGAL/license/Point_set_flow.h>
+
 #include <CGAL/Point_set_flow/Core_kernel.h>
 #include <CGAL/Point_set_flow/internal/order/Spatial_order.h>
 
 #include <cstddef>
 #include <cstdint>
-#include <limits>
-#include <stdexcept>
 #include <vector>
 
 namespace CGAL {
@@ -27,17 +27,15 @@ public:
   std::vector<char> constrained;      ///< empty if no point is
   std::vector<std::uint32_t> site_of; ///< for each input point, where it is above
 
-  /// \param input the reference points in the order of the caller
+  /// \param input at most \f$2^{32} - 1\f$ reference points in the order of the caller
   /// \param from where the flow starts, Eq. (7b); empty to start at the reference
   /// \param fixed which points must not move; empty if all may
   template <typename ConcurrencyTag>
-  Point_buffer(ConcurrencyTag, const Array<Point_3>& input, const Array<Point_3>& from,
-               const std::vector<char>& fixed, Progress& progress, double work)
+  Point_buffer(const Array<Point_3>& input, const Array<Point_3>& from,
+               const std::vector<char>& fixed, Loops<ConcurrencyTag>& loops)
       : site_of(input.size())
   {
-    if (input.size() > (std::numeric_limits<std::uint32_t>::max)())
-      throw std::length_error("CGAL::balanced_flow_smooth_point_set: more than 2^32 - 1 points");
-    const Spatial_order<ConcurrencyTag> order(input, from, progress, .5 * work);
+    const Spatial_order<ConcurrencyTag> order(input, from, loops);
     reference.resize(input.size());
     start.resize(from.size());
     const auto gather = [&](std::size_t begin, std::size_t end) {
@@ -47,35 +45,45 @@ public:
           start[i] = from[order[i]];
       }
     };
-    for_each_block<ConcurrencyTag>(input.size(), progress, .5 * work, gather);
+    loops.for_each_chunk(input.size(), gather);
+    merge_duplicates(order);
+    loops.ask();
+    if (!fixed.empty())
+      constrain(fixed);
+  }
 
+  std::size_t size() const { return reference.size(); }
+
+private:
+  /// \param order that of the points now
+  template <typename Order>
+  void merge_duplicates(const Order& order)
+  {
     std::size_t count = 0;
-    for (std::size_t i = 0; i < input.size(); ++i) {
+    for (std::size_t i = 0; i < order.size(); ++i) {
       if (i == 0 || reference[i] != reference[count - 1] ||
-          (!from.empty() && start[i] != start[count - 1])) {
+          (!start.empty() && start[i] != start[count - 1])) {
         reference[count] = reference[i];
-        if (!from.empty())
+        if (!start.empty())
           start[count] = start[i];
         ++count;
       }
       site_of[order[i]] = static_cast<std::uint32_t>(count - 1);
     }
     reference.resize(count);
-    start.resize(from.empty() ? 0 : count);
-    progress.advance(0.);
-
-    if (!fixed.empty()) {
-      constrained.assign(count, 0);
-      for (std::size_t i = 0; i < fixed.size(); ++i)
-        if (fixed[i])
-          constrained[site_of[i]] = 1;
-      for (std::size_t site = 0; site < start.size(); ++site)
-        if (constrained[site])
-          start[site] = reference[site]; // also if the others start elsewhere
-    }
+    start.resize(start.empty() ? 0 : count);
   }
 
-  std::size_t size() const { return reference.size(); }
+  void constrain(const std::vector<char>& fixed)
+  {
+    constrained.assign(size(), 0);
+    for (std::size_t i = 0; i < fixed.size(); ++i)
+      if (fixed[i])
+        constrained[site_of[i]] = 1;
+    for (std::size_t site = 0; site < start.size(); ++site)
+      if (constrained[site])
+        start[site] = reference[site]; // also if the others start elsewhere
+  }
 };
 
 } // namespace internal

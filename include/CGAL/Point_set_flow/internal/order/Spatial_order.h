@@ -2,10 +2,11 @@
 #ifndef CGAL_POINT_SET_FLOW_INTERNAL_ORDER_SPATIAL_ORDER_H
 #define CGAL_POINT_SET_FLOW_INTERNAL_ORDER_SPATIAL_ORDER_H
 
+#include <CGAL/license/Point_set_flow.h>
+
 #include <CGAL/Point_set_flow/Core_kernel.h>
 #include <CGAL/Point_set_flow/internal/parallel/Array.h>
 #include <CGAL/Point_set_flow/internal/parallel/Loops.h>
-#include <CGAL/Point_set_flow/internal/parallel/sort_range.h>
 
 #include <algorithm>
 #include <array>
@@ -19,8 +20,8 @@ namespace Point_set_flow {
 namespace internal {
 
 /// Numbers points along a space-filling curve, so that neighbors in space are mostly neighbors in
-/// memory. The order depends on the places of the points only, not on that of the input, and
-/// brings duplicates together.
+/// memory. The order depends on the positions of the points only, not on that of the input, and
+/// makes duplicates adjacent.
 ///
 /// The curve is that of Morton through a grid of the bounding box. Points that share a cell, which
 /// are many if there are clusters or a point far away, are ordered likewise in the box of their own.
@@ -34,25 +35,25 @@ class Spatial_order {
   typedef typename Array<Keyed_index>::iterator Iterator;
 
   const Array<Point_3>&m_points, &m_from;
-  Progress& m_progress;
+  Loops<ConcurrencyTag>& m_loops;
   Array<Keyed_index> m_order;
 
 public:
-  /// \param from what tells points in the same place apart; empty if nothing does
-  Spatial_order(const Array<Point_3>& points, const Array<Point_3>& from, Progress& progress,
-                double work)
-      : m_points(points), m_from(from), m_progress(progress), m_order(points.size())
+  /// \param from distinguishes points at the same place; empty if nothing does
+  Spatial_order(const Array<Point_3>& points, const Array<Point_3>& from,
+                Loops<ConcurrencyTag>& loops)
+      : m_points(points), m_from(from), m_loops(loops), m_order(points.size())
   {
     for (std::size_t i = 0; i < points.size(); ++i)
       m_order[i].index = static_cast<std::uint32_t>(i);
-    sort(m_order.begin(), m_order.end(), work);
+    sort(m_order.begin(), m_order.end());
   }
 
   std::size_t size() const { return m_order.size(); }
   std::uint32_t operator[](std::size_t i) const { return m_order[i].index; }
 
 private:
-  void sort(Iterator first, Iterator last, double work)
+  void sort(Iterator first, Iterator last)
   {
     std::array<double, 3> low, high;
     for (std::size_t d = 0; d < 3; ++d) {
@@ -73,24 +74,23 @@ private:
     }
 
     const double last_cell = (1 << 21) - 1;
-    for_each_block<ConcurrencyTag>(
-        std::size_t(last - first), m_progress, work, [&](std::size_t begin, std::size_t end) {
-          for (Iterator it = first + std::ptrdiff_t(begin); it != first + std::ptrdiff_t(end);
-               ++it) {
-            const Point_3& p = m_points[it->index];
-            it->key = 0;
-            for (std::size_t d = 0; d < 3; ++d)
-              it->key |= spread(std::uint64_t((p[int(d)] - low[d]) / extent * last_cell)) << d;
-          }
-        });
-    sort_range<ConcurrencyTag>(first, last);
+    const auto find_keys = [&](std::size_t begin, std::size_t end) {
+      for (Iterator it = first + std::ptrdiff_t(begin); it != first + std::ptrdiff_t(end); ++it) {
+        const Point_3& p = m_points[it->index];
+        it->key = 0;
+        for (std::size_t d = 0; d < 3; ++d)
+          it->key |= spread(std::uint64_t((p[int(d)] - low[d]) / extent * last_cell)) << d;
+      }
+    };
+    m_loops.for_each_chunk(std::size_t(last - first), find_keys);
+    m_loops.sort(first, last);
 
     // the first and the last point are in different cells: this ends
     for (Iterator begin = first; begin != last;) {
       const Iterator end = std::find_if(
           begin, last, [&](const Keyed_index& point) { return point.key != begin->key; });
       if (end - begin > 1)
-        sort(begin, end, 0.);
+        sort(begin, end);
       begin = end;
     }
   }

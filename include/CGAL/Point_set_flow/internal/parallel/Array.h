@@ -2,6 +2,8 @@
 #ifndef CGAL_POINT_SET_FLOW_INTERNAL_PARALLEL_ARRAY_H
 #define CGAL_POINT_SET_FLOW_INTERNAL_PARALLEL_ARRAY_H
 
+#include <CGAL/license/Point_set_flow.h>
+
 #include <boost/core/noinit_adaptor.hpp>
 
 #include <memory>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What the callback is told, and that it can cancel.
-#define BOOST_TEST_MODULE cancelling
+#define BOOST_TEST_MODULE canceling
 #include <boost/test/unit_test.hpp>
 
 #include "shapes.h"
@@ -57,7 +57,7 @@ BOOST_AUTO_TEST_CASE(the_progress_rises_from_0_to_1)
   }
 }
 
-BOOST_AUTO_TEST_CASE(a_cancelled_run_changes_nothing)
+BOOST_AUTO_TEST_CASE(a_canceled_run_changes_nothing)
 {
   typedef std::pair<shapes::Point_3, shapes::Vector_3> Pair;
   std::vector<Pair> noisy;

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef CGAL_POINT_SET_FLOW_SMOOTHING_REPORT_H
+#define CGAL_POINT_SET_FLOW_SMOOTHING_REPORT_H
+
+#include <CGAL/license/Point_set_flow.h>
+
+#include <cstddef>
+
+namespace CGAL {
+namespace Point_set_flow {
+
+/// \ingroup PkgPointSetFlowFunctions
+/// What was found in a point set, which parameters follow from it, and how the points moved. Lengths
+/// are in the unit of the data.
+struct Smoothing_report {
+  /// the number of points
+  std::size_t number_of_points = 0;
+  /// the number of distinct points: exact duplicates move as one
+  std::size_t number_of_distinct_points = 0;
+  /// the standard deviation of the noise: the median over the point set
+  double noise = 0.;
+  /// the side of the square that each point has for itself: the median over the point set
+  double spacing = 0.;
+  /// the number of neighbors of the points, where these have the fewest. Around points where two
+  /// sheets are close to each other there may be fewer.
+  unsigned int fewest_neighbors = 0;
+  /// the number of neighbors of the points, where these have the most
+  unsigned int most_neighbors = 0;
+  /// the largest number of steps; fewer are made if nothing moves anymore
+  unsigned int number_of_iterations = 0;
+  /// \f$\sigma\f$ in multiples of the neighborhood radius
+  double filter_width = 0.;
+  /// the constant \f$K\f$ of the diffusivity
+  double feature_threshold = 0.;
+  /// the mean distance between the points before and after; 0 if they were analyzed only
+  double mean_movement = 0.;
+  /// the mean distance that the distinct points moved in the last step; 0 if they were analyzed only
+  double last_movement = 0.;
+};
+
+} // namespace Point_set_flow
+} // namespace CGAL
+
+#endif // CGAL_POINT_SET_FLOW_SMOOTHING_REPORT_H

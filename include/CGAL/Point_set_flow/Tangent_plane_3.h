@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef CGAL_POINT_SET_FLOW_TANGENT_PLANE_3_H
+#define CGAL_POINT_SET_FLOW_TANGENT_PLANE_3_H
+
+#include <CGAL/license/Point_set_flow.h>
+
+#include <CGAL/Point_set_flow/Core_kernel.h>
+
+namespace CGAL {
+namespace Point_set_flow {
+
+/// \ingroup PkgPointSetFlowCurvature
+/// The plane through a point that an estimator fits to its neighborhood.
+struct Tangent_plane_3 {
+  Vector_3 normal; ///< a unit vector; its orientation is arbitrary
+  double
+      variation; ///< the surface variation: without unit, at least 0, 0 where the surface is flat
+};
+
+} // namespace Point_set_flow
+} // namespace CGAL
+
+#endif // CGAL_POINT_SET_FLOW_TANGENT_PLANE_3_H

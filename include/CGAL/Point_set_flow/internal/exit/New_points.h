@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef CGAL_POINT_SET_FLOW_INTERNAL_EXIT_NEW_POINTS_H
+#define CGAL_POINT_SET_FLOW_INTERNAL_EXIT_NEW_POINTS_H
+
+#include <CGAL/license/Point_set_flow.h>
+
+#include <CGAL/Point_set_flow/internal/entrance/Argument_check.h>
+#include <CGAL/Point_set_flow/internal/entrance/Frame.h>
+#include <CGAL/number_utils.h>
+
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace CGAL {
+namespace Point_set_flow {
+namespace internal {
+
+inline Vector_3 not_longer(const Vector_3& d, double length)
+{
+  return d.squared_length() > length * length ? d * (length / std::sqrt(d.squared_length())) : d;
+}
+
+/// The points that are to be written, in the order of the caller.
+template <typename Maps>
+class New_points {
+  typedef typename Maps::Kernel_point_3 Kernel_point_3;
+
+  const bool m_stays_in_neighborhood;
+  const Argument_check& m_check;
+
+public:
+  std::vector<Kernel_point_3> points;
+  double mean_movement = 0.; ///< in the unit of the caller
+
+  /// \param result, radii of the distinct points: where they are, and the radii of their
+  /// neighborhoods, which limit their movement; empty if it is not limited
+  /// \param site_of for each point, where it is in these
+  template <typename ConcurrencyTag>
+  New_points(const Maps& maps, const Frame& frame, const Array<Point_3>& result,
+             const Array<double>& radii, const std::vector<std::uint32_t>& site_of,
+             const Argument_check& check, Loops<ConcurrencyTag>& loops)
+      : m_stays_in_neighborhood(!radii.empty()), m_check(check)
+  {
+    // random memory access, worth parallelizing
+    Array<Point_3> flowed(site_of.size());
+    Array<double> limits(m_stays_in_neighborhood ? flowed.size() : 0);
+    loops.for_each_chunk(flowed.size(), [&](std::size_t begin, std::size_t end) {
+      for (std::size_t i = begin; i < end; ++i) {
+        flowed[i] = result[site_of[i]];
+        if (m_stays_in_neighborhood)
+          limits[i] = radii[site_of[i]];
+      }
+    });
+    points.reserve(flowed.size());
+    std::size_t i = 0;
+    for (auto it = maps.points.begin(); it != maps.points.end(); ++it, ++i) {
+      // adding the movement, instead of transforming back from the frame, preserves all digits of
+      // points that do not move
+      const Kernel_point_3& p = get(maps.point_map, *it);
+      Vector_3 d = flowed[i] - frame.to_core(p);
+      if (m_stays_in_neighborhood)
+        d = not_longer(d, limits[i]);
+      d = d * frame.unit;
+      points.push_back(moved(p, d, i));
+      mean_movement += std::sqrt(d.squared_length());
+    }
+    mean_movement /= double(points.size());
+  }
+
+private:
+  /// The moved point. It does not leave the range of its coordinates (some scans mark missing points
+  /// by the largest `float`); where movement is not limited, that is an error.
+  Kernel_point_3 moved(const Kernel_point_3& p, const Vector_3& d, std::size_t i) const
+  {
+    const auto sum = [&](auto coordinate, double distance) {
+      typedef decltype(coordinate) FT;
+      const FT moved = coordinate + FT(distance);
+      const bool is_finite = std::isfinite(to_double(moved));
+      if (!std::isfinite(distance) || !(is_finite || m_stays_in_neighborhood))
+        m_check.diverges(" at points[" + std::to_string(i) + "]");
+      return is_finite ? moved : coordinate;
+    };
+    return Kernel_point_3(sum(p.x(), d.x()), sum(p.y(), d.y()), sum(p.z(), d.z()));
+  }
+};
+
+} // namespace internal
+} // namespace Point_set_flow
+} // namespace CGAL
+
+#endif // CGAL_POINT_SET_FLOW_INTERNAL_EXIT_NEW_POINTS_H

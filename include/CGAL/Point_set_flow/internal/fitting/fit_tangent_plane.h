@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef CGAL_POINT_SET_FLOW_INTERNAL_FITTING_FIT_TANGENT_PLANE_H
+#define CGAL_POINT_SET_FLOW_INTERNAL_FITTING_FIT_TANGENT_PLANE_H
+
+#include <CGAL/license/Point_set_flow.h>
+
+#include <CGAL/Point_set_flow/Tangent_plane_3.h>
+#include <CGAL/Point_set_flow/internal/fitting/Covariance_3.h>
+#include <CGAL/Point_set_flow/internal/fitting/Plane_weights.h>
+
+#include <algorithm>
+#include <cstddef>
+
+namespace CGAL {
+namespace Point_set_flow {
+namespace internal {
+
+/// Sums over neighbors, two at a time, of weights, weighted differences and their products
+struct Weighted_moments {
+  Lanes sum = Lanes(0., 0.), x = sum, y = sum, z = sum;
+  Lanes xx = sum, xy = sum, xz = sum, yy = sum, yz = sum, zz = sum;
+
+  void add(const Lanes& weight, const Lanes_3& d)
+  {
+    const Lanes wx = weight * d.x, wy = weight * d.y, wz = weight * d.z;
+    sum += weight, x += wx, y += wy, z += wz;
+    xx += wx * d.x, xy += wx * d.y, xz += wx * d.z;
+    yy += wy * d.y, yz += wy * d.z, zz += wz * d.z;
+  }
+
+  /// Eq. (1), about the centroid
+  /// \param total the sum of all weights
+  Covariance_3 covariance(double total) const
+  {
+    Covariance_3 c;
+    c.xx = xx.sum(), c.xy = xy.sum(), c.xz = xz.sum();
+    c.yy = yy.sum(), c.yz = yz.sum(), c.zz = zz.sum();
+    c.add(Vector_3(x.sum(), y.sum(), z.sum()) / total, -total);
+    return c;
+  }
+};
+
+/// The plane of Eq. (1), with weights by distance and, if the normals are known, by angle and by
+/// distance from the own tangent plane. The variation is what the noise does not explain of Eq. (2).
+template <bool has_normals>
+Tangent_plane_3 fit_tangent_plane(const Neighborhood_3& neighborhood)
+{
+  if (has_normals && !(neighborhood.noise() > 0.))
+    return {neighborhood.normal(), 0.}; // nothing moves here, and the first plane will do
+  const Plane_weights weigh(neighborhood);
+  const double residual = 1. / (8. * weigh.residual * weigh.residual + Plane_weights::tiny());
+  const Neighbor_pairs pairs(neighborhood);
+
+  // moments about the point, which the noise keeps near the centroid
+  Weighted_moments moments;
+  for (std::size_t j = 0; j < neighborhood.size(); j += 2) {
+    const Lanes_3 d = pairs.differences(j);
+    Lanes exponent;
+    if constexpr (has_normals) {
+      const Lanes height = d * pairs.normal, squared = height * height;
+      exponent = weigh.near(d.squared_length(), squared) + squared * residual +
+                 weigh.angle.exponent(pairs.normals(j) * pairs.normal);
+    }
+    else
+      exponent = d.squared_length() * weigh.distance;
+    moments.add(bell(exponent), d);
+  }
+  const double total = moments.sum.sum() + 1. - pairs.pads(); // the point itself
+  Covariance_3 c = moments.covariance(total);
+  if constexpr (has_normals) {
+    // The plane of the step before counts, too, though little: where hardly any neighbors are
+    // left, their tiny weights would make the result depend on rounding.
+    const double weight_before = .05, before = weight_before / (2. * weigh.distance);
+    const Vector_3& n = pairs.normal;
+    c.xx += before * (1. - n.x() * n.x()), c.xy -= before * n.x() * n.y();
+    c.yy += before * (1. - n.y() * n.y()), c.xz -= before * n.x() * n.z();
+    c.zz += before * (1. - n.z() * n.z()), c.yz -= before * n.y() * n.z();
+  }
+  const Smallest_eigenpair_3 pair = smallest_eigenpair(c);
+  const double trace = c.trace(), noise = weigh.residual / Plane_weights::residual_width;
+  // twice the deviation of the noise is still noise: features must stand out
+  const double explained = trace > 0. ? 4. * noise * noise * total / trace : 0.;
+  return {pair.vector, (std::max)(0., pair.variation - explained)};
+}
+
+} // namespace internal
+} // namespace Point_set_flow
+} // namespace CGAL
+
+#endif // CGAL_POINT_SET_FLOW_INTERNAL_FITTING_FIT_TANGENT_PLANE_H

@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef CGAL_POINT_SET_FLOW_INTERNAL_NEIGHBORS_BLOCK_CUTTER_H
+#define CGAL_POINT_SET_FLOW_INTERNAL_NEIGHBORS_BLOCK_CUTTER_H
+
+#include <CGAL/license/Point_set_flow.h>
+
+#include <CGAL/Point_set_flow/internal/neighbors/Block.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <vector>
+
+namespace CGAL {
+namespace Point_set_flow {
+namespace internal {
+
+/// Takes blocks with their halos out of a point set.
+///
+/// A halo is made of rings: the neighbors of the interior, their neighbors, and so on. In each stage
+/// of the flow a point depends on its neighbors only. So with as many rings as there are stages,
+/// the points of the interior are bitwise identical to those that all points together would give.
+class Block_cutter {
+  static constexpr std::uint32_t nowhere = (std::numeric_limits<std::uint32_t>::max)();
+
+  const Point_buffer& m_buffer;
+  const Neighbor_tree& m_tree; // of the reference
+  const Search_options m_search;
+  std::vector<std::uint32_t> m_place; // of the sites in the block
+
+public:
+  Block_cutter(const Point_buffer& buffer, const Neighbor_tree& tree, const Search_options& search)
+      : m_buffer(buffer), m_tree(tree), m_search(search), m_place(buffer.size(), nowhere)
+  {}
+
+  /// \param interior the sites of the block
+  template <typename ConcurrencyTag>
+  Block operator()(const std::vector<std::uint32_t>& interior, std::size_t rings,
+                   Loops<ConcurrencyTag>& loops)
+  {
+    std::vector<std::uint32_t> sites = interior; // ring by ring
+    const Neighbor_graph graph = add_rings(sites, rings, loops);
+
+    // The block keeps the order of the point set, so that ties are broken and sums are taken in the
+    // same way.
+    std::vector<std::uint32_t> sorted = sites;
+    std::sort(sorted.begin(), sorted.end());
+    for (std::size_t i = 0; i < sorted.size(); ++i)
+      m_place[sorted[i]] = static_cast<std::uint32_t>(i);
+
+    Block block = {{}, {}, {}, graph.renumbered(sites, m_place), {}};
+    for (const std::uint32_t site : sorted) {
+      if (!m_buffer.start.empty())
+        block.points.push_back(m_buffer.start[site]);
+      block.reference.push_back(m_buffer.reference[site]);
+      if (!m_buffer.constrained.empty())
+        block.constrained.push_back(m_buffer.constrained[site]);
+    }
+    for (const std::uint32_t site : interior)
+      block.interior.push_back(m_place[site]);
+    for (const std::uint32_t site : sorted)
+      m_place[site] = nowhere;
+    return block;
+  }
+
+private:
+  /// \return the neighbors of all sites but those of the last ring
+  template <typename ConcurrencyTag>
+  Neighbor_graph add_rings(std::vector<std::uint32_t>& sites, std::size_t rings,
+                           Loops<ConcurrencyTag>& loops)
+  {
+    for (const std::uint32_t site : sites)
+      m_place[site] = 0;
+    Neighbor_graph graph(m_tree, m_search.k);
+    std::size_t begin = 0;
+    for (std::size_t ring = 0; ring < rings && begin < sites.size(); ++ring) {
+      const std::size_t end = sites.size();
+      graph.add(m_tree, sites.data() + begin, sites.data() + end, m_search.radius, loops);
+      for (std::size_t i = begin; i < end; ++i)
+        for (std::size_t j = 0; j < graph.size(i); ++j) {
+          const std::uint32_t neighbor = graph.neighbors(i)[j];
+          if (m_place[neighbor] == nowhere) {
+            m_place[neighbor] = 0;
+            sites.push_back(neighbor);
+          }
+        }
+      // in the order of space, for the search
+      std::sort(sites.begin() + std::ptrdiff_t(end), sites.end());
+      begin = end;
+    }
+    return graph;
+  }
+};
+
+} // namespace internal
+} // namespace Point_set_flow
+} // namespace CGAL
+
+#endif // CGAL_POINT_SET_FLOW_INTERNAL_NEIGHBORS_BLOCK_CUTTER_H

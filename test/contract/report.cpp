@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What analyze_point_set() and the named parameter smoothing_report tell of a run.
+#define BOOST_TEST_MODULE report
+#include <boost/test/unit_test.hpp>
+
+#include "shapes.h"
+
+#include <CGAL/Point_set_flow/Covariance_curvature.h>
+#include <CGAL/Point_set_flow/analyze_point_set.h>
+#include <CGAL/balanced_flow_smooth_point_set.h>
+#include <CGAL/estimate_point_set_noise.h>
+
+#include <cmath>
+#include <functional>
+
+namespace np = CGAL::parameters;
+using namespace CGAL::Point_set_flow;
+using shapes::noisy_cube;
+using shapes::Points;
+typedef CGAL::Sequential_tag Sequential;
+
+namespace {
+
+Points with_duplicates(Points points)
+{
+  points.insert(points.end(), points.begin(), points.begin() + 10);
+  return points;
+}
+
+void check_same_findings(const Smoothing_report& a, const Smoothing_report& b)
+{
+  BOOST_TEST(a.number_of_points == b.number_of_points);
+  BOOST_TEST(a.number_of_distinct_points == b.number_of_distinct_points);
+  BOOST_TEST(a.noise == b.noise);
+  BOOST_TEST(a.spacing == b.spacing);
+  BOOST_TEST(a.fewest_neighbors == b.fewest_neighbors);
+  BOOST_TEST(a.most_neighbors == b.most_neighbors);
+  BOOST_TEST(a.number_of_iterations == b.number_of_iterations);
+  BOOST_TEST(a.filter_width == b.filter_width);
+  BOOST_TEST(a.feature_threshold == b.feature_threshold);
+}
+
+} // namespace
+
+BOOST_AUTO_TEST_CASE(the_analysis_finds_what_smoothing_finds_and_moves_nothing)
+{
+  const Points noisy = with_duplicates(noisy_cube(12));
+  const auto check = [&](const auto& own) {
+    Smoothing_report smoothed;
+    Points points = noisy;
+    const double moved = CGAL::balanced_flow_smooth_point_set<Sequential>(
+        points, own.smoothing_report(std::ref(smoothed)));
+    const Smoothing_report analyzed =
+        analyze_point_set<CGAL::Parallel_if_available_tag>(noisy, own);
+    check_same_findings(smoothed, analyzed);
+    BOOST_TEST(analyzed.mean_movement == 0.);
+    BOOST_TEST(smoothed.last_movement == moved);
+    double mean = 0.;
+    for (std::size_t i = 0; i < noisy.size(); ++i)
+      mean += std::sqrt(CGAL::squared_distance(points[i], noisy[i])) / double(noisy.size());
+    BOOST_TEST(smoothed.mean_movement == mean, boost::test_tools::tolerance(1e-9));
+  };
+  check(np::update_period(4));
+  check(np::curvature(Covariance_curvature()));
+  check(np::curvature(Covariance_curvature()).flow(Anisotropic_flow()));
+  check(np::block_size(1024).filter_width(.5));
+
+  const Smoothing_report report = analyze_point_set<Sequential>(noisy, 30);
+  BOOST_TEST(report.number_of_points == noisy.size());
+  BOOST_TEST(report.number_of_distinct_points == noisy.size() - 10);
+  BOOST_TEST(report.fewest_neighbors == 30u);
+  BOOST_TEST(report.most_neighbors == 30u);
+  BOOST_TEST(report.number_of_iterations == 5u);
+  BOOST_TEST(report.noise == CGAL::estimate_point_set_noise<Sequential>(noisy));
+  BOOST_TEST(analyze_point_set<Sequential>(noisy, np::feature_threshold(7.)).feature_threshold ==
+             7.);
+  BOOST_TEST(analyze_point_set<Sequential>(Points()).number_of_points == 0u);
+}
+
+BOOST_AUTO_TEST_CASE(lengths_are_in_the_unit_of_the_data)
+{
+  const Points noisy = noisy_cube(12);
+  Points large;
+  for (const auto& p : noisy)
+    large.emplace_back(1024. * p.x(), 1024. * p.y(), 1024. * p.z());
+  const Smoothing_report report = analyze_point_set<Sequential>(noisy),
+                         of_large = analyze_point_set<Sequential>(large);
+  BOOST_TEST(of_large.noise == 1024. * report.noise, boost::test_tools::tolerance(1e-9));
+  BOOST_TEST(of_large.spacing == 1024. * report.spacing, boost::test_tools::tolerance(1e-9));
+  BOOST_TEST(of_large.most_neighbors == report.most_neighbors);
+}
+
+BOOST_AUTO_TEST_CASE(a_canceled_run_leaves_the_report_unchanged)
+{
+  Points points = noisy_cube(12);
+  Smoothing_report report;
+  report.number_of_points = 77;
+  CGAL::balanced_flow_smooth_point_set<Sequential>(
+      points,
+      np::smoothing_report(std::ref(report)).callback([](double share) { return share < .5; }));
+  BOOST_TEST(report.number_of_points == 77u);
+
+  const Smoothing_report canceled = analyze_point_set<Sequential>(
+      points, np::update_period(4).callback([](double) { return false; }));
+  BOOST_TEST(std::isnan(canceled.noise));
+  BOOST_TEST(std::isnan(canceled.spacing));
+  BOOST_TEST(canceled.number_of_points == 0u);
+}
