@@ -1,7 +1,7 @@
 #!/bin/sh
 # SPDX-License-Identifier: GPL-3.0-or-later
-# Installs what is missing and makes the manual, build/manual/html/index.html. Any warning is an error.
-# Nothing is loaded from a network but Debian packages.
+# Installs missing packages and builds the manual, build/manual/html/index.html. Any warning is an error.
+# Only Debian packages are loaded from the network.
 set -eu
 cd "$(dirname "$0")/.."
 sh cmake/install_packages.sh make cmake doxygen texlive-binaries libjs-mathjax

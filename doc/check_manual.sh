@@ -1,8 +1,8 @@
 #!/bin/sh
 # SPDX-License-Identifier: GPL-3.0-or-later
-# Makes the manual and looks at all of its pages in headless Chromium, which finds no host: whether
-# every local link leads to a file, and every equation is rendered. Leaves pictures of the main pages in
-# build/manual/pages.
+# Builds the manual and opens all of its pages in headless Chromium, for which no host resolves: checks that
+# every local link leads to a file and that every equation is rendered. Leaves screenshots of the main pages
+# in build/manual/pages.
 set -eu
 cd "$(dirname "$0")/.."
 sh cmake/install_packages.sh chromium

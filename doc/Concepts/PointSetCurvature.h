@@ -10,9 +10,10 @@ It is passed to `CGAL::balanced_flow_smooth_point_set()` with the named paramete
 be copyable, and with `CGAL::Parallel_tag` it is called from several threads at once.
 
 Every step of the flow calls it in the same order: first `tangent_plane()` for all points, and then
-`directional_curvature()` for all points, with the tangent plane of the point. In `tangent_plane()` the
-neighborhood has the normals of the previous step, and none in the first step; in
-`directional_curvature()` it has those of the current step.
+`directional_curvature()` for all points, with the tangent plane of the point. If the estimator declares
+`Uses_surface_estimate`, the neighborhood also has the noise around the point and the normals: those of the
+previous step in `tangent_plane()`, none in the first step, and those of the current step in
+`directional_curvature()`.
 
 The coordinates are in the unit of the data, relative to an origin near the points. (Only if coordinates
 differ by less than \f$10^{-100}\f$ or more than \f$10^{100}\f$ they are scaled by a power of 2: returned

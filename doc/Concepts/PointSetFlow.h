@@ -13,7 +13,9 @@ several threads at once.
 For the result to scale with the data, the motion must scale with the lengths in `u`.
 
 `CGAL::Point_set_flow::Any_flow` erases the type of a flow, for example to select one at run time, and
-keeps its properties.
+keeps its properties; a `std::function` does not. A model whose properties are only known at run time
+has the member functions `bool uses_prefilter() const` and `bool stays_in_neighborhood() const` instead
+of the member types.
 
 \cgalHasModelsBegin
 \cgalHasModels{CGAL::Point_set_flow::Curvature_flow}
