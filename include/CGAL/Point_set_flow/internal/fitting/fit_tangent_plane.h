@@ -8,6 +8,8 @@
 #include <CGAL/Point_set_flow/internal/fitting/Covariance_3.h>
 #include <CGAL/Point_set_flow/internal/fitting/Plane_weights.h>
 
+#include <boost/config.hpp>
+
 #include <algorithm>
 #include <cstddef>
 
@@ -20,7 +22,8 @@ struct Weighted_moments {
   Lanes sum = Lanes(0., 0.), x = sum, y = sum, z = sum;
   Lanes xx = sum, xy = sum, xz = sum, yy = sum, yz = sum, zz = sum;
 
-  void add(const Lanes& weight, const Lanes_3& d)
+  // inlined, or the loop would keep the sums in memory instead of registers
+  BOOST_FORCEINLINE void add(const Lanes& weight, const Lanes_3& d)
   {
     const Lanes wx = weight * d.x, wy = weight * d.y, wz = weight * d.z;
     sum += weight, x += wx, y += wy, z += wz;

@@ -6,6 +6,8 @@
 
 #include <CGAL/Point_set_flow/internal/fitting/Plane_weights.h>
 
+#include <boost/config.hpp>
+
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -23,7 +25,8 @@ struct Plane_distances {
   Lanes squared_length; ///< of \f$p_i - p_j\f$
   Lanes squared_height; ///< the part of it along \f$n_i\f$
 
-  Plane_distances(const Neighbor_pairs& pairs, std::size_t j)
+  // inlined, or the loops would pass registers through memory
+  BOOST_FORCEINLINE Plane_distances(const Neighbor_pairs& pairs, std::size_t j)
   {
     const Lanes_3 d = pairs.differences(j), normals = pairs.normals(j); // d is from i to j
     const Lanes own = d * pairs.normal, other = d * normals;
