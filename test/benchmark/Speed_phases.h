@@ -26,7 +26,7 @@ struct Phase {
 };
 typedef std::vector<Phase> Phases;
 
-/// The phases of a run with default parameters in one piece, one after the other
+/// The phases of a run with default parameters in one block, one after the other
 inline Phases phases_of_a_run()
 {
   using namespace CGAL::Point_set_flow::internal;

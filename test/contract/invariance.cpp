@@ -52,7 +52,7 @@ BOOST_AUTO_TEST_CASE(parallel_and_sequential_results_are_bitwise_identical)
 #endif
 }
 
-BOOST_AUTO_TEST_CASE(results_in_blocks_and_in_one_piece_are_bitwise_identical)
+BOOST_AUTO_TEST_CASE(results_in_several_blocks_and_in_one_are_bitwise_identical)
 {
   const Points noisy = noisy_cube(60);
   const auto run = [&](unsigned int block_size, const auto& curvature, unsigned int steps) {
