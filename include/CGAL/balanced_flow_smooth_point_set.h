@@ -53,7 +53,7 @@ namespace CGAL {
    \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones
    listed below. Those of this package are marked with *.
 
-   **Everyday**
+   <b>Everyday</b>
    \cgalNamedParamsBegin
      \cgalParamNBegin{point_map}
        \cgalParamDescription{a property map associating points to the elements of the point set `points`}
@@ -120,7 +120,7 @@ namespace CGAL {
      \cgalParamNEnd
    \cgalNamedParamsEnd
 
-   **Of the paper**
+   <b>Of the paper</b>
    \cgalNamedParamsBegin
      \cgalParamNBegin{number_of_iterations}
        \cgalParamDescription{the number of steps of the flow; after `0` the points are where they start}
@@ -193,7 +193,7 @@ namespace CGAL {
      \cgalParamNEnd
    \cgalNamedParamsEnd
 
-   **Memory**
+   <b>Memory</b>
    \cgalNamedParamsBegin
      \cgalParamNBegin{block_size}
        \cgalParamDescription{*; the number of points that are smoothed at a time. A larger point set is cut into
