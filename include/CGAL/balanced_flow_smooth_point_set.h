@@ -51,7 +51,7 @@ namespace CGAL {
    fewer points exist, all others are used. Without it (see the other overload) the number suits the
    noise, which is usually better.
    \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones
-   listed below. Those of this package are marked with *.
+   listed below. Those of this package are marked with (*).
 
    <b>Everyday</b>
    \cgalNamedParamsBegin
@@ -105,7 +105,7 @@ namespace CGAL {
      \cgalParamNEnd
 
      \cgalParamNBegin{feature_strength_map}
-       \cgalParamDescription{*; a property map that receives the feature strength of each point: \f$1 - g\f$ of the
+       \cgalParamDescription{(*) a property map that receives the feature strength of each point: \f$1 - g\f$ of the
                              surface variation of the result, 0 on flat parts and 1/2 at a crease of
                              `sharpness_angle`}
        \cgalParamType{a model of `ReadWritePropertyMap` whose key type is the value type of the
@@ -114,7 +114,7 @@ namespace CGAL {
      \cgalParamNEnd
 
      \cgalParamNBegin{smoothing_report}
-       \cgalParamDescription{*; receives what was found and used, see `Point_set_flow::analyze_point_set()`}
+       \cgalParamDescription{(*) receives what was found and used, see `Point_set_flow::analyze_point_set()`}
        \cgalParamType{`std::reference_wrapper<Point_set_flow::Smoothing_report>`: `std::ref(report)`}
        \cgalParamDefault{unused}
      \cgalParamNEnd
@@ -129,13 +129,13 @@ namespace CGAL {
      \cgalParamNEnd
 
      \cgalParamNBegin{flow}
-       \cgalParamDescription{*; the flow, one step of which each iteration makes}
+       \cgalParamDescription{(*) the flow, one step of which each iteration makes}
        \cgalParamType{a model of `PointSetFlow`}
        \cgalParamDefault{`Point_set_flow::Balanced_flow`}
      \cgalParamNEnd
 
      \cgalParamNBegin{curvature}
-       \cgalParamDescription{*; the estimator of normals and curvature; that of the paper is
+       \cgalParamDescription{(*) the estimator of normals and curvature; that of the paper is
                              `Point_set_flow::Covariance_curvature`}
        \cgalParamType{a model of `PointSetCurvature`}
        \cgalParamDefault{`Point_set_flow::Tangent_plane_curvature`}
@@ -154,7 +154,7 @@ namespace CGAL {
      \cgalParamNEnd
 
      \cgalParamNBegin{feature_threshold}
-       \cgalParamDescription{*; the constant \f$K\f$ of the diffusivity \f$g(x) = 1 / (1 + K x^2)\f$, without unit.
+       \cgalParamDescription{(*) the constant \f$K\f$ of the diffusivity \f$g(x) = 1 / (1 + K x^2)\f$, without unit.
                              Features are where the surface variation is larger than \f$1/\sqrt K\f$;
                              `0` makes the flow isotropic.}
        \cgalParamType{floating scalar value, not negative}
@@ -162,14 +162,14 @@ namespace CGAL {
      \cgalParamNEnd
 
      \cgalParamNBegin{filter_width}
-       \cgalParamDescription{*; the width \f$\sigma\f$ of the Gaussians of the prefilter and of equation (3), in multiples
+       \cgalParamDescription{(*) the width \f$\sigma\f$ of the Gaussians of the prefilter and of equation (3), in multiples
                              of the neighborhood radius, which is the distance of the farthest neighbor}
        \cgalParamType{floating scalar value, not negative}
        \cgalParamDefault{`0.6`, and `0.3` for `Covariance_curvature`; wider if `k` is smaller than suits the noise}
      \cgalParamNEnd
 
      \cgalParamNBegin{step_length}
-       \cgalParamDescription{*; the step \f$s\f$ of Table 1, without unit: of 1, a point moves by its whole
+       \cgalParamDescription{(*) the step \f$s\f$ of Table 1, without unit: of 1, a point moves by its whole
                              directional curvature}
        \cgalParamType{floating scalar value, not negative}
        \cgalParamDefault{`0.75`}
@@ -177,14 +177,14 @@ namespace CGAL {
      \cgalParamNEnd
 
      \cgalParamNBegin{update_period}
-       \cgalParamDescription{*; the number \f$L\f$ of iterations after which the reference is replaced by what the
+       \cgalParamDescription{(*) the number \f$L\f$ of iterations after which the reference is replaced by what the
                              points have become, section 3.2 of the paper; `0` for never}
        \cgalParamType{unsigned int}
        \cgalParamDefault{`4`}
      \cgalParamNEnd
 
      \cgalParamNBegin{initial_point_map}
-       \cgalParamDescription{*; a property map with the points from which the flow starts, \f$\chi\f$ of equation (7b).
+       \cgalParamDescription{(*) a property map with the points from which the flow starts, \f$\chi\f$ of equation (7b).
                              The points of `point_map` are then only the reference \f$I\f$; the result is
                              written to `point_map`. Constrained points stay there.}
        \cgalParamType{a model of `ReadablePropertyMap` whose key type is the value type of the
@@ -196,7 +196,7 @@ namespace CGAL {
    <b>Memory</b>
    \cgalNamedParamsBegin
      \cgalParamNBegin{block_size}
-       \cgalParamDescription{*; the number of points that are smoothed at a time. A larger point set is cut into
+       \cgalParamDescription{(*) the number of points that are smoothed at a time. A larger point set is cut into
                              blocks along a space-filling curve; each is smoothed with the points on which
                              its result depends (halo). The result is bitwise identical.}
        \cgalParamType{unsigned int, positive}
