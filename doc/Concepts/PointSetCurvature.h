@@ -9,15 +9,17 @@ curvature of a surface at a point, given its neighbors.
 It is passed to `CGAL::balanced_flow_smooth_point_set()` with the named parameter `curvature`. It must
 be copyable, and with `CGAL::Parallel_tag` it is called from several threads at once.
 
-Every step of the flow calls it in the same order: first `tangent_plane()` for all points, and then
-`directional_curvature()` for all points, with the tangent plane of the point. If the estimator declares
-`Uses_surface_estimate`, the neighborhood also has the noise around the point and the normals: those of the
-previous step in `tangent_plane()`, none in the first step, and those of the current step in
-`directional_curvature()`.
+In every step `directional_curvature()` is called for each point with the tangent plane that
+`tangent_plane()` returned for it. If the estimator declares `Uses_surface_estimate`, the planes of all
+points are computed first, and the neighborhood also has the noise around the point and the normals: those
+of the previous step in `tangent_plane()`, none in the first step, and those of the current step in
+`directional_curvature()`. Neither function is called for points with fewer than two neighbors. For a flow
+that uses the prefilter, `tangent_plane()` is also called for the prefiltered surface, unless the estimator
+uses the surface estimate.
 
-The coordinates are in the unit of the data, relative to an origin near the points. (Only if coordinates
-differ by less than \f$10^{-100}\f$ or more than \f$10^{100}\f$ they are scaled by a power of 2: returned
-lengths must scale with the points.)
+The coordinates are in the unit of the data, relative to an origin near the points. (Only if the extent
+of the points is less than \f$10^{-100}\f$ or more than \f$10^{140}\f$ are they scaled, by a power of 2:
+returned lengths must scale with the points.)
 
 A static member function `defaults()` may return the parameters that suit the estimator.
 

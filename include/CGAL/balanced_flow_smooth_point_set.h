@@ -31,8 +31,8 @@ namespace CGAL {
    The result
    - does not depend on the order of the points, and is bitwise identical with `Sequential_tag` and
      `Parallel_tag`;
-   - follows the data when these are moved, rotated or scaled;
-   - is written when all is computed: after an exception, or when the callback has canceled the
+   - is equivariant under translation, rotation and scaling of the data;
+   - is written only after everything has been computed: after an exception, or when the callback has canceled the
      run, all points and normals are unchanged.
 
    Exact duplicates move as one point. With the flows of this package, points that start at the
@@ -53,7 +53,7 @@ namespace CGAL {
    \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones
    listed below. Those of this package are marked with (*).
 
-   <b>Everyday</b>
+   <b>Everyday parameters</b>
    \cgalNamedParamsBegin
      \cgalParamNBegin{point_map}
        \cgalParamDescription{a property map associating points to the elements of the point set `points`}
@@ -120,10 +120,10 @@ namespace CGAL {
      \cgalParamNEnd
    \cgalNamedParamsEnd
 
-   <b>Of the paper</b>
+   <b>Parameters of the paper</b>
    \cgalNamedParamsBegin
      \cgalParamNBegin{number_of_iterations}
-       \cgalParamDescription{the number of steps of the flow; after `0` the points are where they start}
+       \cgalParamDescription{the number of steps of the flow; with `0` the points stay where they start}
        \cgalParamType{unsigned int}
        \cgalParamDefault{`5`, and `12` for `Covariance_curvature`; the flow stops when nothing moves}
      \cgalParamNEnd
@@ -169,7 +169,7 @@ namespace CGAL {
      \cgalParamNEnd
 
      \cgalParamNBegin{step_length}
-       \cgalParamDescription{(*) the step \f$s\f$ of Table 1, without unit: of 1, a point moves by its whole
+       \cgalParamDescription{(*) the step \f$s\f$ of Table 1, without unit: with 1, a point moves by its whole
                              directional curvature}
        \cgalParamType{floating scalar value, not negative}
        \cgalParamDefault{`0.75`}
@@ -177,8 +177,8 @@ namespace CGAL {
      \cgalParamNEnd
 
      \cgalParamNBegin{update_period}
-       \cgalParamDescription{(*) the number \f$L\f$ of iterations after which the reference is replaced by what the
-                             points have become, section 3.2 of the paper; `0` for never}
+       \cgalParamDescription{(*) the number \f$L\f$ of iterations after which the reference is replaced by the
+                             current points, section 3.2 of the paper; `0` for never}
        \cgalParamType{unsigned int}
        \cgalParamDefault{`4`}
      \cgalParamNEnd

@@ -17,7 +17,7 @@ namespace CGAL {
    It is the median deviation of about 1,000 neighborhoods from quadrics fitted to them by least
    squares; see `Point_set_flow::estimate_point_set_scale()`, which finds the spacing as well. For
    Gaussian noise between 0.1 and 2 spacings on a smooth surface the estimate is within 15% of the
-   truth. Where a surface has more detail than the points can show, the detail counts as noise.
+   truth. Surface detail below the sampling density counts as noise.
 
    \tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag` or `Parallel_if_available_tag`
    \tparam PointRange is a model of `Range` with forward iterators. The value type of its iterator
@@ -27,10 +27,11 @@ namespace CGAL {
    \param np an optional sequence of \ref bgl_namedparameters "Named Parameters": `point_map` and
    `geom_traits`, with the same meaning as for `balanced_flow_smooth_point_set()`
 
-   \return the standard deviation in the unit of the data; 0 where there are less than 13 distinct
+   \return the standard deviation in the unit of the data; 0 if there are fewer than 13 distinct
    points
 
    \throws std::invalid_argument if a coordinate is not finite
+   \throws std::length_error if there are more than \f$2^{32}-1\f$ points
 
    Complexity: that of sorting the points.
 

@@ -90,6 +90,30 @@ BOOST_AUTO_TEST_CASE(lengths_are_in_the_unit_of_the_data)
   BOOST_TEST(of_large.most_neighbors == report.most_neighbors);
 }
 
+BOOST_AUTO_TEST_CASE(movements_are_finite_lengths_at_any_scale)
+{
+  const auto movement = [](double scale) {
+    Points points;
+    for (const auto& p : noisy_cube(6))
+      points.emplace_back(scale * p.x(), scale * p.y(), scale * p.z());
+    Smoothing_report report;
+    CGAL::balanced_flow_smooth_point_set<Sequential>(points,
+                                                     np::smoothing_report(std::ref(report)));
+    return report.mean_movement / scale;
+  };
+  for (const double scale : {1e200, 1e-200})
+    BOOST_TEST(movement(scale) == movement(1.), boost::test_tools::tolerance(1e-6));
+}
+
+BOOST_AUTO_TEST_CASE(no_more_neighbors_are_reported_than_there_are)
+{
+  for (const std::size_t n : {std::size_t(1), std::size_t(10)}) {
+    const Points all = noisy_cube(6), points(all.begin(), all.begin() + std::ptrdiff_t(n));
+    BOOST_TEST(analyze_point_set<Sequential>(points).most_neighbors == n - 1);
+    BOOST_TEST(analyze_point_set<Sequential>(points, 30).fewest_neighbors == n - 1);
+  }
+}
+
 BOOST_AUTO_TEST_CASE(a_canceled_run_leaves_the_report_unchanged)
 {
   Points points = noisy_cube(12);

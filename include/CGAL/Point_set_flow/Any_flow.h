@@ -23,6 +23,7 @@ class Any_flow {
   bool m_uses_prefilter, m_stays_in_neighborhood;
 
 public:
+  /// constructs a flow that behaves as `flow`, which is copied
   /// \tparam Flow a model of `PointSetFlow`
   template <typename Flow
 #ifndef DOXYGEN_RUNNING

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#ifndef CGAL_POINT_SET_FLOW_VECTOR_TYPES_H
-#define CGAL_POINT_SET_FLOW_VECTOR_TYPES_H
+#ifndef CGAL_POINT_SET_FLOW_CORE_KERNEL_H
+#define CGAL_POINT_SET_FLOW_CORE_KERNEL_H
 
 #include <CGAL/license/Point_set_flow.h>
 
@@ -32,4 +32,4 @@ typedef Core_kernel::Vector_3 Vector_3; ///< a vector of the core
 } // namespace Point_set_flow
 } // namespace CGAL
 
-#endif // CGAL_POINT_SET_FLOW_VECTOR_TYPES_H
+#endif // CGAL_POINT_SET_FLOW_CORE_KERNEL_H

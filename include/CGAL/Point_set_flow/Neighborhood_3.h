@@ -58,14 +58,18 @@ public:
   /// the neighborhood radius
   double radius() const { return m_radius; }
 
-  /// whether the normals of the points are known; in the first step they are not
+  /// whether the normals of the points are known: from the second step on if the estimator declares
+  /// `Uses_surface_estimate`, and then always in `directional_curvature()`
   bool has_normals() const { return m_surface.normals != nullptr; }
   /// the unit normal of the point in the middle; its orientation is arbitrary
+  /// \pre `has_normals()`
   const Vector_3& normal() const { return m_surface.normals[m_center]; }
   /// the unit normal of a neighbor
+  /// \pre `has_normals()`
   const Vector_3& normal(std::size_t j) const { return m_surface.normals[m_neighbors[j]]; }
 
-  /// the standard deviation of the noise around the point, before the first step
+  /// the standard deviation of the noise around the point, as estimated before the first step; 0
+  /// unless the estimator declares `Uses_surface_estimate`
   double noise() const { return m_surface.noise; }
   /// the spacing of the point set
   double spacing() const { return m_surface.spacing; }

@@ -12,10 +12,10 @@ namespace Point_set_flow {
 struct Point_set_scale {
   /// the standard deviation of the distance to the surface, in the unit of the data
   double noise = 0.;
-  /// the side of the square that each point has for itself, in the unit of the data
+  /// the square root of the surface area per point, in the unit of the data
   double spacing = 0.;
   /// the number of neighbors that suits this noise: about what `balanced_flow_smooth_point_set()`
-  /// takes if it is given none
+  /// chooses if `k` is omitted
   unsigned int k = 24;
 };
 

@@ -19,12 +19,12 @@ struct Smoothing_report {
   std::size_t number_of_distinct_points = 0;
   /// the standard deviation of the noise: the median over the point set
   double noise = 0.;
-  /// the side of the square that each point has for itself: the median over the point set
+  /// the square root of the surface area per point: the median over the point set
   double spacing = 0.;
-  /// the number of neighbors of the points, where these have the fewest. Around points where two
-  /// sheets are close to each other there may be fewer.
+  /// the smallest number of neighbors of a point; it may be smaller where two sheets are close to each
+  /// other
   unsigned int fewest_neighbors = 0;
-  /// the number of neighbors of the points, where these have the most
+  /// the largest number of neighbors of a point
   unsigned int most_neighbors = 0;
   /// the largest number of steps; fewer are made if nothing moves anymore
   unsigned int number_of_iterations = 0;

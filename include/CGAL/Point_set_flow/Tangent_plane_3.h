@@ -12,9 +12,10 @@ namespace Point_set_flow {
 /// \ingroup PkgPointSetFlowCurvature
 /// The plane through a point that an estimator fits to its neighborhood.
 struct Tangent_plane_3 {
-  Vector_3 normal; ///< a unit vector; its orientation is arbitrary
-  double
-      variation; ///< the surface variation: without unit, at least 0, 0 where the surface is flat
+  /// a unit vector; its orientation is arbitrary
+  Vector_3 normal;
+  /// the surface variation: without unit, at least 0, and 0 where the surface is flat
+  double variation;
 };
 
 } // namespace Point_set_flow

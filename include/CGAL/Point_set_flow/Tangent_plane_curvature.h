@@ -40,7 +40,7 @@ public:
   /// directional curvatures are means of distances, limited by the noise
   typedef Tag_true Stays_in_neighborhood;
 
-  /// what suits it: 5 steps, and 60 (noise / spacing)^0.7 neighbors, from 24 to 128
+  /// 5 steps, and 60 (noise / spacing)^0.7 neighbors, from 24 to 128
   static Curvature_defaults defaults()
   {
     Curvature_defaults d;

@@ -31,6 +31,7 @@ namespace Point_set_flow {
    and its spacing are `NaN`.
 
    \throws std::invalid_argument if a coordinate is not finite or a parameter is out of its range
+   \throws std::length_error if there are more than \f$2^{32}-1\f$ points
 
    Complexity: that of sorting the points.
 */

@@ -28,9 +28,10 @@ namespace Point_set_flow {
    \param np an optional sequence of \ref bgl_namedparameters "Named Parameters": `point_map` and
    `geom_traits`, with the same meaning as for `balanced_flow_smooth_point_set()`
 
-   \return the estimates; noise and spacing are 0 where there are less than 13 distinct points
+   \return the estimates; noise and spacing are 0 if there are fewer than 13 distinct points
 
    \throws std::invalid_argument if a coordinate is not finite
+   \throws std::length_error if there are more than \f$2^{32}-1\f$ points
 
    Complexity: that of sorting the points.
 */

@@ -4,8 +4,8 @@
 
 #include <CGAL/license/Point_set_flow.h>
 
-#include <CGAL/Point_set_flow/Diffusivity.h>
 #include <CGAL/Point_set_flow/Core_kernel.h>
+#include <CGAL/Point_set_flow/Diffusivity.h>
 #include <CGAL/tags.h>
 
 namespace CGAL {
@@ -19,25 +19,27 @@ struct Flow_point_3 {
   /// \f$\bar\kappa\f$, equations (3) and (4), a length: how far the surface is from being balanced at
   /// the point, positive if the point lies on the side of the normal
   double directional_curvature;
-  /// \f$|\bar\kappa|\f$ without unit: the surface variation, equation (2), of the current surface
+  /// \f$|\bar\kappa|\f$ without unit: the surface variation, equation (2), of the current surface; with an
+  /// estimator that uses the surface estimate, as the default does, what the noise does not explain
   double variation;
-  /// \f$|\kappa_H(G_\sigma \times u)|\f$: the surface variation of the prefiltered surface
+  /// \f$|\kappa_H(G_\sigma \times u)|\f$: the surface variation of the prefiltered surface; with an
+  /// estimator that uses the surface estimate there is no prefilter, and this is equal to `variation`
   double filtered_variation;
-  /// \f$I - u\f$, the way back to the reference point
+  /// \f$I - u\f$, the vector from the point back to its reference point
   Vector_3 forcing;
 };
 
 /// \addtogroup PkgPointSetFlowFlows
 ///
-/// `Uses_prefilter` says whether a flow needs `Flow_point_3::filtered_variation`; without it the
-/// prefilter is not run. `Stays_in_neighborhood` says whether the flow, with an estimator that says so,
+/// `Uses_prefilter` says whether a flow needs `Flow_point_3::filtered_variation`; without it,
+/// or with an estimator that uses the surface estimate, the prefilter is not run. `Stays_in_neighborhood` says whether the flow, with an estimator that says so,
 /// too, keeps points from moving farther than their farthest neighbors.
 /// @{
 
 /// Equation (4), isotropic: \f$-\bar\kappa n\f$.
 /// \cgalModels{PointSetFlow}
 struct Curvature_flow {
-  /// the prefilter is not run
+  /// `filtered_variation` is not used
   typedef Tag_false Uses_prefilter;
   /// the right hand side
   Vector_3 operator()(const Flow_point_3& u, const Diffusivity&) const
@@ -50,7 +52,7 @@ struct Curvature_flow {
 /// \f$-g(|\bar\kappa|)\,\bar\kappa n\f$.
 /// \cgalModels{PointSetFlow}
 struct Anisotropic_flow {
-  /// the prefilter is not run
+  /// `filtered_variation` is not used
   typedef Tag_false Uses_prefilter;
   /// the right hand side
   Vector_3 operator()(const Flow_point_3& u, const Diffusivity& g) const
@@ -63,7 +65,7 @@ struct Anisotropic_flow {
 /// \f$-g(|\kappa_H(G_\sigma \times u)|)\,\bar\kappa n\f$.
 /// \cgalModels{PointSetFlow}
 struct Well_posed_anisotropic_flow {
-  /// the prefilter is run
+  /// `filtered_variation` is used
   typedef Tag_true Uses_prefilter;
   /// the right hand side
   Vector_3 operator()(const Flow_point_3& u, const Diffusivity& g) const
@@ -76,7 +78,7 @@ struct Well_posed_anisotropic_flow {
 /// (7b) is given by the named parameter `initial_point_map`.
 /// \cgalModels{PointSetFlow}
 struct Volume_preserving_flow {
-  /// the prefilter is run
+  /// `filtered_variation` is used
   typedef Tag_true Uses_prefilter;
   /// the right hand side
   Vector_3 operator()(const Flow_point_3& u, const Diffusivity& g) const
@@ -88,7 +90,7 @@ struct Volume_preserving_flow {
 /// Equation (9) and Table 1, the forcing term moderated: \f$-g\,\bar\kappa n + (1-g)(I - u)\f$.
 /// \cgalModels{PointSetFlow}
 struct Balanced_flow {
-  /// the prefilter is run
+  /// `filtered_variation` is used
   typedef Tag_true Uses_prefilter;
   /// points move no farther than their farthest neighbors
   typedef Tag_true Stays_in_neighborhood;

@@ -18,10 +18,10 @@ namespace Scale_space_reconstruction_3 {
 
    %Smoother for scale space reconstruction based on `CGAL::balanced_flow_smooth_point_set()`.
 
-   It estimates the noise in each iteration of
-   `CGAL::Scale_space_surface_reconstruction_3::increase_scale()` anew. What the first one leaves is
-   little, so that points hardly move in the following ones, while `Jet_smoother` goes on to
-   flatten the shape: one or two iterations suffice.
+   The noise is estimated anew in each iteration of
+   `CGAL::Scale_space_surface_reconstruction_3::increase_scale()`. The first iteration leaves little
+   of it, so the points hardly move in the following ones, while `Jet_smoother` continues to flatten
+   the shape: one or two iterations suffice.
 
    \cgalModels{CGAL::Scale_space_reconstruction_3::Smoother}
 
@@ -55,9 +55,8 @@ public:
   /**
      Constructs a smoother.
 
-     \param k number of neighbors used
-
-     \pre `k >= 2`
+     \param k number of neighbors used, at least 2; otherwise smoothing throws
+     `std::invalid_argument`
   */
   Balanced_flow_smoother(unsigned int k) : m_k(k) {}
 

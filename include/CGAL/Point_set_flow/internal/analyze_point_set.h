@@ -12,6 +12,7 @@
 
 #include <limits>
 #include <optional>
+#include <utility>
 
 namespace CGAL {
 namespace Point_set_flow {
@@ -32,7 +33,8 @@ Smoothing_report analyze_point_set(const PointRange& points, const std::optional
   try {
     return loops.in_isolation([&] {
       Input input(maps, check, loops);
-      const Analyzed_points analyzed(input.reference, input.start, input.constrained, loops);
+      const Analyzed_points analyzed(std::move(input.reference), std::move(input.start),
+                                     input.constrained, loops);
       const Flow_plan plan(analyzed, flow, curvature, parameters, input.frame.unit, loops);
       loops.finish();
       return plan.report();

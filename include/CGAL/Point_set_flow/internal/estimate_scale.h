@@ -25,13 +25,12 @@ Point_set_scale estimate_scale(const PointRange& points, const NamedParameters& 
     return Point_set_scale();
   Loops<ConcurrencyTag> loops(std::function<bool(double)>(), stage_costs::analysis);
   return loops.in_isolation([&] {
-    Input input(maps, check, loops);
-    const double unit = input.frame.unit;
-    const Analyzed_points analyzed(input.reference, input.start, input.constrained, loops);
+    Frame frame;
+    const Analyzed_points analyzed(copy_reference(maps, frame, check, loops), {}, {}, loops);
     const double noise = analyzed.noise_map().noise(), spacing = analyzed.noise_map().spacing();
     Point_set_scale scale;
-    scale.noise = noise * unit;
-    scale.spacing = spacing * unit;
+    scale.noise = noise * frame.unit;
+    scale.spacing = spacing * frame.unit;
     scale.k =
         Tangent_plane_curvature::defaults().neighborhood_size(spacing > 0. ? noise / spacing : 0.);
     return scale;

@@ -4,13 +4,19 @@
 
 #include <CGAL/license/Point_set_flow.h>
 
+#include <CGAL/Point_set_flow/Smoothing_report.h>
 #include <CGAL/Point_set_flow/Tangent_plane_curvature.h>
+#include <CGAL/Point_set_flow/flows.h>
 #include <CGAL/Point_set_flow/internal/entrance/copy_in.h>
+#include <CGAL/Point_set_flow/internal/entrance/named_parameters.h>
 #include <CGAL/Point_set_flow/internal/exit/Output.h>
+#include <CGAL/Point_set_flow/internal/flow/Block_runs.h>
+#include <CGAL/Point_set_flow/internal/noise/Analyzed_points.h>
 
 #include <cmath>
 #include <limits>
 #include <optional>
+#include <utility>
 
 namespace CGAL {
 namespace Point_set_flow {
@@ -39,7 +45,8 @@ double smooth_point_set(PointRange& points, const std::optional<unsigned int>& k
   try {
     return loops.in_isolation([&] {
       Input input(maps, check, loops);
-      Analyzed_points analyzed(input.reference, input.start, input.constrained, loops);
+      Analyzed_points analyzed(std::move(input.reference), std::move(input.start),
+                               input.constrained, loops);
       const Flow_plan plan(analyzed, flow, curvature, parameters, input.frame.unit, loops);
       Smoothing_report report = plan.report();
 

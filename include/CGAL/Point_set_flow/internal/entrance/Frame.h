@@ -69,7 +69,7 @@ Frame find_frame(const Array<Point_3>& points, Loops<ConcurrencyTag>& loops)
   };
   loops.for_each_chunk(3, find, 1);
   const double extent = (std::max)({extents[0], extents[1], extents[2]});
-  if (extent > 1e140) // not more than it takes to square them
+  if (extent > 1e140) // no smaller than squares require
     frame.unit = std::ldexp(1., std::ilogb(extent) - 465);
   else if (extent != 0. && extent < 1e-100)
     frame.unit = std::ldexp(1., (std::max)(std::ilogb(extent), -1020));

@@ -44,6 +44,21 @@ Array<Point_3> copy_points(const PointRange& points, PointMap point_map,
   return copy;
 }
 
+/// The points of the caller in the coordinates of the core.
+/// \param frame receives these coordinates
+/// \pre there are points
+template <typename Maps, typename ConcurrencyTag>
+Array<Point_3> copy_reference(const Maps& maps, Frame& frame, const Argument_check& check,
+                              Loops<ConcurrencyTag>& loops)
+{
+  loops.ask(); // before the caller's maps are read
+  Array<Point_3> reference =
+      copy_points<typename Maps::Kernel_point_3>(maps.points, maps.point_map, "points", check);
+  frame = find_frame(reference, loops);
+  move_to_core(reference, frame);
+  return reference;
+}
+
 /// A private copy of what the caller gives, in the coordinates of the core.
 struct Input {
   Frame frame;
@@ -55,19 +70,16 @@ struct Input {
   template <typename Maps, typename ConcurrencyTag>
   Input(const Maps& maps, const Argument_check& check, Loops<ConcurrencyTag>& loops)
   {
-    typedef typename Maps::Kernel_point_3 Kernel_point_3;
-    loops.ask(); // before the caller's maps are read
+    reference = copy_reference(maps, frame, check, loops);
     if constexpr (Maps::has_constraints) {
       const auto map = parameters::get_parameter(maps.np, CGAL::internal_np::point_is_constrained);
       for (auto it = maps.points.begin(); it != maps.points.end(); ++it)
         constrained.push_back(get(map, *it) ? 1 : 0);
     }
-    reference = copy_points<Kernel_point_3>(maps.points, maps.point_map, "points", check);
-    frame = find_frame(reference, loops);
-    move_to_core(reference, frame);
     if constexpr (Maps::has_start) {
       const auto map = parameters::get_parameter(maps.np, internal_np::initial_point_map_t());
-      start = copy_points<Kernel_point_3>(maps.points, map, "initial_point_map", check);
+      start =
+          copy_points<typename Maps::Kernel_point_3>(maps.points, map, "initial_point_map", check);
       move_to_core(start, frame);
     }
   }

@@ -36,10 +36,11 @@ public:
   {
     if (!m_map)
       return;
-    for (auto it = m_range.begin(); m_written != m_values.size(); ++it, ++m_written) {
-      const Value old = get(*m_map, *it);
-      put(*m_map, *it, m_values[m_written]);
-      m_values[m_written] = old;
+    for (auto it = m_range.begin(); m_written != m_values.size(); ++it) {
+      const Value value = m_values[m_written];
+      m_values[m_written] = get(*m_map, *it);
+      ++m_written; // before writing: a map that throws may have written
+      put(*m_map, *it, value);
     }
   }
 

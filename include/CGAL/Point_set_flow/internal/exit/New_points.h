@@ -63,11 +63,10 @@ public:
       Vector_3 d = flowed[i] - frame.to_core(p);
       if (m_stays_in_neighborhood)
         d = not_longer(d, limits[i]);
-      d = d * frame.unit;
-      points.push_back(moved(p, d, i));
-      mean_movement += std::sqrt(d.squared_length());
+      mean_movement += std::sqrt(d.squared_length()); // in the frame, where squares are in range
+      points.push_back(moved(p, d * frame.unit, i));
     }
-    mean_movement /= double(points.size());
+    mean_movement = mean_movement / double(points.size()) * frame.unit;
   }
 
 private:

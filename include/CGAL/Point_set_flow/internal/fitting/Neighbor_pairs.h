@@ -16,7 +16,7 @@ namespace CGAL {
 namespace Point_set_flow {
 namespace internal {
 
-/// Numbers of two neighbors, computed at once: one register on any x86-64 or ARM processor.
+/// One number for each of two neighbors, computed at once: one register on any x86-64 or ARM processor.
 typedef Eigen::Array2d Lanes;
 
 /// Vectors of two neighbors
@@ -79,14 +79,14 @@ inline Lanes bell(const Lanes& x)
   return b * b;
 }
 
-/// How much is left at a time of the flow, 0 to 1, of a width that becomes narrower.
+/// The factor by which a width has narrowed at a time of the flow, 0 to 1.
 inline double annealing(double time, int power)
 {
   const double left = 1. - .513 * time;
   return power == 2 ? left * left : left * left * left;
 }
 
-/// The weight of a neighbor by the angle between its normal and the own one: in the first step
+/// The weight of a neighbor by the angle between its normal and that of the point: in the first step
 /// wide enough for what the noise does to normals, in the last as narrow as features need it.
 class Angle_weight {
   double m_inverse;

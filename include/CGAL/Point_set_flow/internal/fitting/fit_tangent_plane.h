@@ -44,7 +44,7 @@ struct Weighted_moments {
 };
 
 /// The plane of Eq. (1), with weights by distance and, if the normals are known, by angle and by
-/// distance from the own tangent plane. The variation is what the noise does not explain of Eq. (2).
+/// distance from the tangent plane of the point. The variation is what the noise does not explain of Eq. (2).
 template <bool has_normals>
 Tangent_plane_3 fit_tangent_plane(const Neighborhood_3& neighborhood)
 {

@@ -72,9 +72,9 @@ struct Distance_moments {
   // cppcheck-suppress uninitMemberVar // those in an `Array` are not initialized on purpose
   Distance_moments() = default;
 
-  /// \param scale the length of 1, to keep fourth powers in the range of `double`
-  /// \pre the normals of the neighborhood are known
-  Distance_moments(const Neighborhood_3& neighborhood, double scale) : second(0.), fourth(0.)
+  /// The moments are in spacings, to keep fourth powers in the range of `double`.
+  /// \pre the normals of the neighborhood are known, and the spacing is positive
+  explicit Distance_moments(const Neighborhood_3& neighborhood) : second(0.), fourth(0.)
   {
     if (neighborhood.size() < 2)
       return; // no plane
@@ -86,7 +86,7 @@ struct Distance_moments {
     Lanes in_pairs[5] = {Lanes(0., 0.), Lanes(0., 0.), Lanes(0., 0.), Lanes(0., 0.), Lanes(0., 0.)};
     for (std::size_t j = 0; j < neighborhood.size(); j += 2) {
       const Plane_distances d(pairs, j);
-      const Lanes x = -d.distance / scale;
+      const Lanes x = -d.distance / neighborhood.spacing();
       const Lanes tangential = (d.squared_length - d.squared_height).max(0.);
       Lanes power = bell(tangential * near + angle.exponent(d.cosine));
       for (Lanes& sum : in_pairs) {

@@ -25,7 +25,7 @@ struct Wanted_results {
 /// The results for the distinct points.
 struct Flow_result {
   Array<Point_3> points;
-  Array<Vector_3> normals; ///< empty if not wanted; null vectors where there is no plane
+  Array<Vector_3> normals;        ///< empty if not wanted; null vectors where there is no plane
   Array<double> feature_strength; ///< empty if not wanted
   Array<double> radii;            ///< of the neighborhoods; empty if not wanted
   double moved = 0.;              ///< the mean distance in the last step
@@ -76,18 +76,20 @@ public:
       : m_plan(plan), m_flow(flow), m_curvature(curvature), m_wanted(wanted), m_loops(loops)
   {}
 
-  /// Takes the points, and frees the tree, if one block holds them all.
+  /// Leaves of the points only where each input point went.
   Flow_result operator()(Analyzed_points& points, std::size_t block_size)
   {
     const std::size_t n = points.buffer().size();
     if (n <= block_size) {
       m_loops.begin_stage(stage_costs::graph);
       Block all = take_all(points.buffer(), points.tree(), m_plan.search, m_loops);
-      points.forget_tree();
+      points.forget_points();
       run(all);
     }
-    else
+    else {
       run_in_turn(points, (block_size + chunk_size - 1) / chunk_size * chunk_size);
+      points.forget_points();
+    }
     m_loops.set_share(1.);
     m_result.moved = std::accumulate(m_moved.begin(), m_moved.end(), 0.) / double(n);
     return std::move(m_result);

@@ -6,6 +6,7 @@
 
 #include <CGAL/Point_set_flow/Diffusivity.h>
 #include <CGAL/Point_set_flow/Smoothing_report.h>
+#include <CGAL/Point_set_flow/internal/fitting/median.h>
 #include <CGAL/Point_set_flow/internal/flow/Flow_parameters.h>
 #include <CGAL/Point_set_flow/internal/flow/model_traits.h>
 #include <CGAL/Point_set_flow/internal/flow/prefilter.h>
@@ -92,6 +93,9 @@ public:
       report.fewest_neighbors = suited_size(noise.first);
       report.most_neighbors = suited_size(noise.second);
     }
+    const auto others = static_cast<unsigned int>(number_of_distinct_points - 1);
+    report.fewest_neighbors = (std::min)(report.fewest_neighbors, others);
+    report.most_neighbors = (std::min)(report.most_neighbors, others);
     report.number_of_iterations = number_of_iterations;
     report.filter_width = filter_width;
     report.feature_threshold = diffusivity.feature_threshold();

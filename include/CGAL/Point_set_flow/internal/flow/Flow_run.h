@@ -70,14 +70,14 @@ public:
           adapt_neighborhoods();
       }
 
-      start();
+      allocate_points();
       m_before.resize(m_block.points.size());
       m_before.swap(m_block.points);
       step();
       if (m_before == m_block.points) // nothing moves anymore
         break;
     }
-    start(); // without iterations
+    allocate_points(); // without iterations
   }
 
   /// How far a point of the block moved in the last step
@@ -128,7 +128,7 @@ private:
   }
 
   /// Allocates the moving points when they are first needed, to save memory.
-  void start()
+  void allocate_points()
   {
     if (!m_block.points.empty())
       return;
@@ -176,8 +176,9 @@ private:
     // estimators that do not use the normals of neighbors need no memory for them
     const Tangent_plane_3 plane = uses_surface_estimate
                                       ? Tangent_plane_3{m_state.normals[i], m_variation[i]}
-                                      : m_curvature.tangent_plane(neighborhood);
-    const double curvature = m_curvature.directional_curvature(neighborhood, plane);
+                                      : tangent_plane_of(neighborhood, m_curvature);
+    const double curvature =
+        neighborhood.size() >= 2 ? m_curvature.directional_curvature(neighborhood, plane) : 0.;
     return m_flow({plane.normal, curvature * m_plan.unit, plane.variation,
                    m_plan.is_prefiltered ? m_variation[i] : plane.variation,
                    (m_block.reference[i] - m_before[i]) * m_plan.unit},

@@ -13,9 +13,16 @@ namespace CGAL {
 namespace Point_set_flow {
 namespace internal {
 
+/// The tangent plane of a point; none, a null vector, if it has fewer than two neighbors.
+template <typename Curvature>
+Tangent_plane_3 tangent_plane_of(const Neighborhood_3& neighborhood, const Curvature& curvature)
+{
+  return neighborhood.size() >= 2 ? curvature.tangent_plane(neighborhood)
+                                  : Tangent_plane_3{NULL_VECTOR, 0.};
+}
+
 /// The tangent plane of each point of a surface, with the surface variation, Eq. (2); of the
-/// prefiltered surface this is \f$|\kappa_H(G_\sigma \times u)|\f$. Points without at least two
-/// neighbors have none: null vectors.
+/// prefiltered surface this is \f$|\kappa_H(G_\sigma \times u)|\f$.
 /// \param normals receives the normals; null if not needed
 template <typename ConcurrencyTag, typename Curvature>
 void find_tangent_planes(const Surface& surface, const Curvature& curvature,
@@ -24,10 +31,7 @@ void find_tangent_planes(const Surface& surface, const Curvature& curvature,
 {
   loops.for_each_chunk(surface.size(), [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
-      const Neighborhood_3 near = surface.neighborhood(i);
-      const bool has_plane = near.size() >= 2;
-      const Tangent_plane_3 plane =
-          has_plane ? curvature.tangent_plane(near) : Tangent_plane_3{NULL_VECTOR, 0.};
+      const Tangent_plane_3 plane = tangent_plane_of(surface.neighborhood(i), curvature);
       variation[i] = plane.variation;
       if (normals)
         (*normals)[i] = plane.normal;

@@ -5,10 +5,12 @@
 #include <CGAL/license/Point_set_flow.h>
 
 #include <CGAL/Point_set_flow/Neighborhood_3.h>
-#include <CGAL/Point_set_flow/internal/parallel/Array.h>
 #include <CGAL/Point_set_flow/internal/neighbors/Group_search.h>
 #include <CGAL/Point_set_flow/internal/neighbors/Search_options.h>
+#include <CGAL/Point_set_flow/internal/parallel/Array.h>
 #include <CGAL/Point_set_flow/internal/parallel/Loops.h>
+
+#include <boost/iterator/counting_iterator.hpp>
 
 #include <algorithm>
 #include <cmath>

@@ -29,7 +29,7 @@ struct Neighbor {
   }
 };
 
-/// One thread's search for the `k` nearest neighbors of single places. It keeps its result in one
+/// One thread's search for the `k` nearest neighbors of single query points. It keeps its result in one
 /// sorted buffer and starts from what the query before it found, which makes it several times faster
 /// than `Orthogonal_k_neighbor_search` for points in spatial order. Of neighbors at the same distance
 /// the order of the points decides; \cgal's searches leave that to their traversal of the tree.

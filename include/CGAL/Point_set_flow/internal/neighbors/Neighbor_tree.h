@@ -75,8 +75,8 @@ class Neighbor_tree {
     template <typename Separator, typename Container>
     void operator()(Separator& separator, Container& c0, Container& c1) const
     {
-      const std::size_t much = 1 << 14; // to sort
-      if (c0.size() > much && std::this_thread::get_id() == m_building->caller)
+      const std::size_t worth_asking = 1 << 14;
+      if (c0.size() > worth_asking && std::this_thread::get_id() == m_building->caller)
         m_building->ask();
       const int d = c0.max_tight_span_coord();
       const double least = c0.tight_bounding_box().min_coord(d);

@@ -23,9 +23,10 @@ class Analyzed_points {
   std::optional<Noise_map> m_noise_map;
 
 public:
-  /// \param reference, start, constrained as for `Point_buffer`; the first two become empty
+  /// \param reference, start, constrained as for `Point_buffer`; the first two are freed as soon as
+  /// they are copied in order
   template <typename ConcurrencyTag>
-  Analyzed_points(Array<Point_3>& reference, Array<Point_3>& start,
+  Analyzed_points(Array<Point_3>&& reference, Array<Point_3>&& start,
                   const std::vector<char>& constrained, Loops<ConcurrencyTag>& loops)
       : m_buffer(in_order(reference, start, constrained, loops))
   {
@@ -42,12 +43,18 @@ public:
 
   Point_buffer& buffer() { return m_buffer; }
   const Point_buffer& buffer() const { return m_buffer; }
-  /// \pre `forget_tree()` was not called
+  /// \pre `forget_points()` was not called
   const Neighbor_tree& tree() const { return *m_tree; }
   const Noise_map& noise_map() const { return *m_noise_map; }
 
-  /// Saves the memory of the tree.
-  void forget_tree() { m_tree.reset(); }
+  /// Saves memory: leaves `buffer().site_of` and the noise map only.
+  void forget_points()
+  {
+    m_tree.reset();
+    m_buffer.reference = Array<Point_3>();
+    m_buffer.start = Array<Point_3>();
+    m_buffer.constrained = std::vector<char>();
+  }
 
 private:
   template <typename ConcurrencyTag>

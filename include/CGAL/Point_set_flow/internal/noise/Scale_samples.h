@@ -26,7 +26,7 @@ namespace internal {
 /// the noise found in them.
 class Scale_samples {
   static constexpr double large = 4.;       // radius of a neighborhood over the noise in it
-  static constexpr std::size_t steady = 48; // neighbors that a spacing is taken from, at least
+  static constexpr std::size_t steady = 48; // the fewest neighbors that give the spacing
 
   std::vector<std::uint32_t> m_sites;
   Array<Point_3> m_points;

@@ -103,7 +103,7 @@ Array<std::uint32_t> fit_sheets(const Surface& surface, const Curvature_defaults
   Array<Distance_moments> moments(n);
   loops.for_each_chunk(n, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i)
-      moments[i] = Distance_moments(surface.neighborhood(i), spacing);
+      moments[i] = Distance_moments(surface.neighborhood(i));
   });
   for (int i = 0; i < 3; ++i)
     pool(surface.graph, moments, loops);

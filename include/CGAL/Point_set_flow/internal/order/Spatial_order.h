@@ -13,7 +13,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <tuple>
-#include <vector>
 
 namespace CGAL {
 namespace Point_set_flow {
@@ -24,7 +23,7 @@ namespace internal {
 /// makes duplicates adjacent.
 ///
 /// The curve is that of Morton through a grid of the bounding box. Points that share a cell, which
-/// are many if there are clusters or a point far away, are ordered likewise in the box of their own.
+/// are many if there are clusters or a point far away, are ordered likewise in their own bounding box.
 template <typename ConcurrencyTag>
 class Spatial_order {
   struct Keyed_index {
@@ -34,7 +33,8 @@ class Spatial_order {
   };
   typedef typename Array<Keyed_index>::iterator Iterator;
 
-  const Array<Point_3>&m_points, &m_from;
+  const Array<Point_3>& m_points;
+  const Array<Point_3>& m_from;
   Loops<ConcurrencyTag>& m_loops;
   Array<Keyed_index> m_order;
 
@@ -85,7 +85,7 @@ private:
     m_loops.for_each_chunk(std::size_t(last - first), find_keys);
     m_loops.sort(first, last);
 
-    // the first and the last point are in different cells: this ends
+    // the first and the last point are in different cells: the recursion terminates
     for (Iterator begin = first; begin != last;) {
       const Iterator end = std::find_if(
           begin, last, [&](const Keyed_index& point) { return point.key != begin->key; });

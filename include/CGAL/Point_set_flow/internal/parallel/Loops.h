@@ -47,7 +47,8 @@ public:
   void for_each_chunk(std::size_t n, const Body& body, std::size_t size = chunk_size)
   {
     const double cost = begin_loop();
-    const std::size_t chunks = (n + size - 1) / size, often = 4;
+    const std::size_t chunks = (n + size - 1) / size;
+    const std::size_t interval = 4; // chunks between two calls of the callback
     std::size_t reported = 0;
     const auto report = [&](std::size_t done) {
       advance(cost * (double(done - reported) / double(chunks)));
@@ -63,7 +64,7 @@ public:
         done.load(std::memory_order_acquire);
         run_chunk(c);
         const std::size_t so_far = ++done;
-        if (std::this_thread::get_id() == caller && so_far >= reported + often)
+        if (std::this_thread::get_id() == caller && so_far >= reported + interval)
           report(so_far);
       };
       // A task sees what the caller and finished tasks have written. TBB guarantees that, too,
@@ -75,7 +76,7 @@ public:
 #endif
       for (std::size_t c = 0; c < chunks; ++c) {
         run_chunk(c);
-        if (c + 1 >= reported + often)
+        if (c + 1 >= reported + interval)
           report(c + 1);
       }
     if (reported < chunks)

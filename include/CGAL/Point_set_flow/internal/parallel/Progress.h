@@ -47,7 +47,7 @@ public:
   /// The stages that follow work on a share of the points only.
   void set_share(double share) { m_share = share; }
 
-  /// Gives the callback an occasion to cancel.
+  /// Gives the callback an opportunity to cancel.
   void ask() const { report((std::min)(m_done / m_total, .999)); }
 
   void finish() const { report(1.); }
