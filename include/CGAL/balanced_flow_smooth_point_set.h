@@ -22,8 +22,8 @@ namespace CGAL {
    drawn back there to the reference: the input, replaced by the points every `update_period` steps.
 
    The directional curvature and the normals are those of `Point_set_flow::Tangent_plane_curvature`,
-   which preserves sharp features and does not shrink curved surfaces. The noise, the neighborhood
-   sizes that suit it, and where the surface is thin are estimated from the data.
+   which preserves sharp features and does not shrink curved surfaces. The noise (unless given), the
+   neighborhood sizes that suit it, and where the surface is thin are estimated from the data.
 
    The function can replace `CGAL::jet_smooth_point_set()` and
    `CGAL::bilateral_smooth_point_set()`. Normals are not needed.
@@ -37,8 +37,8 @@ namespace CGAL {
 
    Exact duplicates move as one point. With the flows of this package, points that start at the
    reference do not move if they lie in a plane with all their neighbors, in particular if there are
-   three points or fewer. Points with noise of less than a tenth of their spacing hardly move.
-   Neighbors are found once, in the reference. All computations are done in `double`.
+   three points or fewer. Points with estimated noise of less than a tenth of their spacing hardly
+   move. Neighbors are found once, in the reference. All computations are done in `double`.
 
    \tparam ConcurrencyTag enables sequential versus parallel algorithm. Possible values are
    `Sequential_tag`, `Parallel_tag`, and `Parallel_if_available_tag`. `Parallel_tag` needs the
@@ -47,9 +47,8 @@ namespace CGAL {
    is the key type of the named parameter `point_map`.
 
    \param points input point range; may be empty
-   \param k number of neighbors of each point, at least 2; the more, the smoother the result. If
-   fewer points exist, all others are used. Without it (see the other overload) the number suits the
-   noise, which is usually better.
+   \param k number of neighbors of each point, at least 2; the more, the smoother the result. If fewer points
+   exist, all others are used. Without it (see the other overload) the number suits the noise.
    \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones
    listed below. Those of this package are marked with (*).
 
@@ -63,21 +62,28 @@ namespace CGAL {
      \cgalParamNEnd
 
      \cgalParamNBegin{normal_map}
-       \cgalParamDescription{a property map associating normals to the elements of the point set `points`.
-                             The unit normals of the smoothed points are written there, oriented as
-                             the given ones where these are not zero, else arbitrarily. Points with fewer
-                             than two neighbors keep the direction of the given ones.}
+       \cgalParamDescription{a property map associating normals to the elements of the point set `points`. It
+                             receives the unit normals of the smoothed points, oriented as the given ones
+                             where these are not zero. Points with fewer than two neighbors keep these.}
        \cgalParamType{a model of `ReadWritePropertyMap` whose key type is the value type of the
                       iterator of `PointRange` and whose value type is `geom_traits::Vector_3`}
        \cgalParamDefault{Normals are not written. A `Point_set_3` uses its own, if it has any.}
      \cgalParamNEnd
 
+     \cgalParamNBegin{noise}
+       \cgalParamDescription{(*) the standard deviation of the noise along the normals, in the unit of the data}
+       \cgalParamType{floating scalar value, or a model of `ReadablePropertyMap` whose key type is the value
+                      type of the iterator of `PointRange` and whose value type is convertible to `double`}
+       \cgalParamDefault{estimated around each point}
+       \cgalParamExtra{Not negative; of duplicates the mean counts. With the default estimator, points do not
+                       move where it is 0. `Covariance_curvature` uses it only to choose `k`.}
+     \cgalParamNEnd
+
      \cgalParamNBegin{neighbor_radius}
-       \cgalParamDescription{the spherical neighborhood radius, in the unit of the data}
+       \cgalParamDescription{the spherical neighborhood radius, in the unit of the data: the neighbors of a
+                             point are the *nearest* `k` of those within it, and there may be fewer}
        \cgalParamType{floating scalar value, not negative}
        \cgalParamDefault{`0` (no limit)}
-       \cgalParamExtra{If provided, the neighbors of a point are the *nearest* `k` of those within
-                       this distance, and there may be fewer.}
      \cgalParamNEnd
 
      \cgalParamNBegin{point_is_constrained_map}
@@ -92,10 +98,9 @@ namespace CGAL {
                              while it's running and to interrupt it if needed}
        \cgalParamType{an instance of `std::function<bool(double)>`.}
        \cgalParamDefault{unused}
-       \cgalParamExtra{It is called regularly, with the current advancement (between 0. and 1.). If
-                       it returns `false`, the algorithm is stopped, all points and normals are left
-                       unchanged and the function returns `NaN`. It is copied, always called from the
-                       thread that called the function, and may throw.}
+       \cgalParamExtra{It is called regularly, with the current advancement (between 0. and 1.). If it returns
+                       `false`, the function leaves all points and normals unchanged and returns `NaN`. It
+                       is copied, always called from the thread that called the function, and may throw.}
      \cgalParamNEnd
 
      \cgalParamNBegin{geom_traits}
@@ -106,15 +111,14 @@ namespace CGAL {
 
      \cgalParamNBegin{feature_strength_map}
        \cgalParamDescription{(*) a property map that receives the feature strength of each point: \f$1 - g\f$ of the
-                             surface variation of the result, 0 on flat parts and 1/2 at a crease of
-                             `sharpness_angle`}
+                             variation of the result, 0 on flat parts, 1/2 at a crease of `sharpness_angle`}
        \cgalParamType{a model of `ReadWritePropertyMap` whose key type is the value type of the
                       iterator of `PointRange` and whose value type is a floating point number}
        \cgalParamDefault{not computed}
      \cgalParamNEnd
 
      \cgalParamNBegin{smoothing_report}
-       \cgalParamDescription{(*) receives what was found and used, see `Point_set_flow::analyze_point_set()`}
+       \cgalParamDescription{(*) receives what was found, used and done, see `Point_set_flow::Smoothing_report`}
        \cgalParamType{`std::reference_wrapper<Point_set_flow::Smoothing_report>`: `std::ref(report)`}
        \cgalParamDefault{unused}
      \cgalParamNEnd
@@ -149,14 +153,12 @@ namespace CGAL {
        \cgalParamDefault{`60`, and `30` for `Covariance_curvature`}
        \cgalParamExtra{The larger the value is, the smoother the result will be. With the default
                        estimator, whose weights preserve creases, it only decides where the forcing
-                       term holds on to detail. In `CGAL::bilateral_smooth_point_set()` the range of
-                       this parameter is `[0, 90]`, its default `30`.}
+                       term holds on to detail. `CGAL::bilateral_smooth_point_set()` has `[0, 90]` and `30`.}
      \cgalParamNEnd
 
      \cgalParamNBegin{feature_threshold}
-       \cgalParamDescription{(*) the constant \f$K\f$ of the diffusivity \f$g(x) = 1 / (1 + K x^2)\f$, without unit.
-                             Features are where the surface variation is larger than \f$1/\sqrt K\f$;
-                             `0` makes the flow isotropic.}
+       \cgalParamDescription{(*) the constant \f$K\f$ of the diffusivity \f$g(x) = 1 / (1 + K x^2)\f$, without unit:
+                             features vary by more than \f$1/\sqrt K\f$; `0` makes the flow isotropic}
        \cgalParamType{floating scalar value, not negative}
        \cgalParamDefault{chosen from `sharpness_angle`}
      \cgalParamNEnd
@@ -185,8 +187,8 @@ namespace CGAL {
 
      \cgalParamNBegin{initial_point_map}
        \cgalParamDescription{(*) a property map with the points from which the flow starts, \f$\chi\f$ of equation (7b).
-                             The points of `point_map` are then only the reference \f$I\f$; the result is
-                             written to `point_map`. Constrained points stay there.}
+                             Those of `point_map`, which receives the result, are then only the reference
+                             \f$I\f$; constrained points stay there.}
        \cgalParamType{a model of `ReadablePropertyMap` whose key type is the value type of the
                       iterator of `PointRange` and whose value type is `geom_traits::Point_3`}
        \cgalParamDefault{The flow starts at the reference.}
@@ -197,8 +199,7 @@ namespace CGAL {
    \cgalNamedParamsBegin
      \cgalParamNBegin{block_size}
        \cgalParamDescription{(*) the number of points that are smoothed at a time. A larger point set is cut into
-                             blocks along a space-filling curve; each is smoothed with the points on which
-                             its result depends (halo). The result is bitwise identical.}
+                             blocks, each smoothed with its halo; the result is bitwise identical.}
        \cgalParamType{unsigned int, positive}
        \cgalParamDefault{`4194304`}
        \cgalParamExtra{Bounds the memory of the flow. A halo of the default size costs a tenth of the time.}
@@ -227,9 +228,8 @@ double balanced_flow_smooth_point_set(PointRange& points, unsigned int k,
 /**
    \ingroup PkgPointSetFlowFunctions
 
-   denoises a point set as above, with numbers of neighbors that are chosen from the data: from the
-   spacing and from the noise around each point, and fewer where two sheets of the surface are close
-   to each other.
+   denoises a point set as above, with numbers of neighbors that are chosen from the spacing and from the
+   noise around each point, and fewer where two sheets of the surface are close to each other.
 */
 template <
     typename ConcurrencyTag, typename PointRange,

@@ -88,7 +88,7 @@ void find_neighbors(Points& points)
   using namespace CGAL::Point_set_flow::internal;
   Loops<Concurrency_tag> loops(nullptr, 1.);
   const Array<Point_3> copy(points.begin(), points.end());
-  const Point_buffer buffer(copy, {}, {}, loops);
+  const Point_buffer buffer(copy, {}, {}, {}, loops);
   const Neighbor_tree tree(buffer.reference, loops);
   const Neighbor_graph graph(tree, {graph_size, 0.}, loops);
 }

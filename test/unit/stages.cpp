@@ -151,25 +151,34 @@ BOOST_AUTO_TEST_CASE(the_buffer_merges_duplicates_and_forgets_the_order)
   Points points = array(shapes::sphere(500, 1.));
   points.insert(points.end(), points.begin(), points.begin() + 100);
   Loops loops(nullptr, 1.);
-  const internal::Point_buffer buffer(points, {}, {}, loops);
+  const internal::Point_buffer buffer(points, {}, {}, {}, loops);
   BOOST_TEST(buffer.size() == 500u);
   for (std::size_t i = 0; i < points.size(); ++i)
     BOOST_TEST((buffer.reference[buffer.site_of[i]] == points[i]));
 
   Points shuffled = points;
   std::shuffle(shuffled.begin(), shuffled.end(), std::mt19937(3));
-  const internal::Point_buffer other(shuffled, {}, {}, loops);
+  const internal::Point_buffer other(shuffled, {}, {}, {}, loops);
   BOOST_TEST((other.reference == buffer.reference));
 
   // same start but different references: two different points
   const internal::Point_buffer two({{0, 0, 0}, {1, 0, 0}, {1, 0, 0}},
-                                   {{5, 5, 5}, {5, 5, 5}, {5, 5, 5}}, {}, loops);
+                                   {{5, 5, 5}, {5, 5, 5}, {5, 5, 5}}, {}, {}, loops);
   BOOST_TEST(two.size() == 2u);
 
   // a duplicate of a constrained point does not move either
-  const internal::Point_buffer fixed({{0, 0, 0}, {1, 0, 0}, {0, 0, 0}}, {}, {0, 0, 1}, loops);
+  const internal::Point_buffer fixed({{0, 0, 0}, {1, 0, 0}, {0, 0, 0}}, {}, {0, 0, 1}, {}, loops);
   BOOST_TEST(fixed.constrained[fixed.site_of[0]] == 1);
   BOOST_TEST(fixed.constrained[fixed.site_of[1]] == 0);
+
+  // the noise of duplicates is the mean of theirs, exactly where all are the same
+  internal::Given_noise given;
+  given.of_each = {.1, .5, .1, .4, .1};
+  const internal::Point_buffer noisy({{0, 0, 0}, {1, 0, 0}, {0, 0, 0}, {1, 0, 0}, {0, 0, 0}}, {},
+                                     {}, given, loops);
+  BOOST_TEST(noisy.noise.of_each.size() == 2u);
+  BOOST_TEST(noisy.noise.of_each[noisy.site_of[0]] == .1);
+  BOOST_TEST(noisy.noise.of_each[noisy.site_of[1]] == .45, boost::test_tools::tolerance(1e-15));
 }
 
 // Of the path through the points in their order
@@ -271,7 +280,7 @@ BOOST_AUTO_TEST_CASE(thin_parts_are_distinguished_from_noise)
     state.noise.assign(points.size(), (thin ? std::sqrt(5.) : 1.) * sigma);
     state.spacing = spacing;
     const internal::Array<std::uint32_t> sizes = internal::fit_sheets(
-        {points, graph, .6, state}, Tangent_plane_curvature::defaults(), state.noise, loops);
+        {points, graph, .6, state}, Tangent_plane_curvature::defaults(), state.noise, false, loops);
     const double noise =
         std::accumulate(state.noise.begin(), state.noise.end(), 0.) / double(points.size());
     const double size = std::accumulate(sizes.begin(), sizes.end(), 0.) / double(points.size());
@@ -283,6 +292,11 @@ BOOST_AUTO_TEST_CASE(thin_parts_are_distinguished_from_noise)
       else
         BOOST_TEST(size > 30.);
     }
+    // what the caller gives is not doubted
+    const internal::Array<double> given = state.noise;
+    internal::fit_sheets({points, graph, .6, state}, Tangent_plane_curvature::defaults(),
+                         state.noise, true, loops);
+    BOOST_TEST((state.noise == given));
   }
 }
 

@@ -17,7 +17,7 @@ struct Smoothing_report {
   std::size_t number_of_points = 0;
   /// the number of distinct points: exact duplicates move as one
   std::size_t number_of_distinct_points = 0;
-  /// the standard deviation of the noise: the median over the point set
+  /// the standard deviation of the noise, given or estimated: the median over the point set
   double noise = 0.;
   /// the square root of the surface area per point: the median over the point set
   double spacing = 0.;
@@ -36,6 +36,19 @@ struct Smoothing_report {
   double mean_movement = 0.;
   /// the mean distance that the distinct points moved in the last step; 0 if they were analyzed only
   double last_movement = 0.;
+
+  /// the number of points that moved. It and the next four numbers add up to the number of points; all
+  /// are 0 if the points were analyzed only.
+  std::size_t number_of_moved_points = 0;
+  /// the number of points that did not move because they, or duplicates of them, are constrained
+  std::size_t number_of_constrained_points = 0;
+  /// the number of points that did not move because they have fewer than two neighbors
+  std::size_t number_of_isolated_points = 0;
+  /// the number of points that did not move because their noise is 0, given or estimated
+  std::size_t number_of_points_without_noise = 0;
+  /// the number of points that did not move for other reasons: they lie in a plane with their
+  /// neighbors, or no step was made
+  std::size_t number_of_points_at_rest = 0;
 };
 
 } // namespace Point_set_flow

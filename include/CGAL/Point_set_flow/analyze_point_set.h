@@ -25,10 +25,10 @@ namespace Point_set_flow {
    \param points input point range; may be empty
    \param k number of neighbors of each point, at least 2
    \param np an optional sequence of \ref bgl_namedparameters "Named Parameters": all of
-   `balanced_flow_smooth_point_set()`, with the same meaning. Nothing is written.
+   `balanced_flow_smooth_point_set()`, with the same meaning, `noise` among them. Nothing is written.
 
-   \return the report; its movements are 0. If the callback cancels, its counts are 0, and its noise
-   and its spacing are `NaN`.
+   \return the report; its movements, and the numbers of points that moved or did not, are 0. If the
+   callback cancels, all its counts are 0, and its noise and its spacing are `NaN`.
 
    \throws std::invalid_argument if a coordinate is not finite or a parameter is out of its range
    \throws std::length_error if there are more than \f$2^{32}-1\f$ points

@@ -20,6 +20,7 @@ namespace Point_set_flow {
   DEFINE(initial_point_map)                                                                        \
   DEFINE(feature_strength_map)                                                                     \
   DEFINE(block_size)                                                                               \
+  DEFINE(noise)                                                                                    \
   DEFINE(smoothing_report)
 
 /// \cond SKIP_IN_MANUAL

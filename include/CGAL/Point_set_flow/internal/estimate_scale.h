@@ -26,7 +26,7 @@ Point_set_scale estimate_scale(const PointRange& points, const NamedParameters& 
   Loops<ConcurrencyTag> loops(std::function<bool(double)>(), stage_costs::analysis);
   return loops.in_isolation([&] {
     Frame frame;
-    const Analyzed_points analyzed(copy_reference(maps, frame, check, loops), {}, {}, loops);
+    const Analyzed_points analyzed(copy_reference(maps, frame, check, loops), {}, {}, {}, loops);
     const double noise = analyzed.noise_map().noise(), spacing = analyzed.noise_map().spacing();
     Point_set_scale scale;
     scale.noise = noise * frame.unit;

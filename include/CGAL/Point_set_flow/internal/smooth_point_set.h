@@ -46,7 +46,7 @@ double smooth_point_set(PointRange& points, const std::optional<unsigned int>& k
     return loops.in_isolation([&] {
       Input input(maps, check, loops);
       Analyzed_points analyzed(std::move(input.reference), std::move(input.start),
-                               input.constrained, loops);
+                               input.constrained, std::move(input.noise), loops);
       const Flow_plan plan(analyzed, flow, curvature, parameters, input.frame.unit, loops);
       Smoothing_report report = plan.report();
 
@@ -56,8 +56,8 @@ double smooth_point_set(PointRange& points, const std::optional<unsigned int>& k
       if (!std::isfinite(report.last_movement))
         check.diverges();
 
-      Output<Maps> output(maps, input.frame, result, analyzed.buffer().site_of, check, loops);
-      report.mean_movement = output.mean_movement();
+      Output<Maps> output(maps, input.frame, result, analyzed.buffer().site_of, report, check,
+                          loops);
       loops.finish();
       output.write();
       write_report(report, np);

@@ -5,6 +5,7 @@
 #include <CGAL/license/Point_set_flow.h>
 
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
 #include <limits>
 #include <sstream>
@@ -41,6 +42,13 @@ public:
   {
     if (!(value >= 0. && std::isfinite(value)))
       refuse(argument, value, "must be finite and not negative");
+  }
+
+  /// \param i the number of an element of the argument
+  void finite_and_not_negative(const char* argument, std::size_t i, double value) const
+  {
+    if (!(value >= 0. && std::isfinite(value)))
+      finite_and_not_negative((argument + ("[" + std::to_string(i) + "]")).c_str(), value);
   }
 
   /// Converts a number of any type that a user may pass for a count.

@@ -72,6 +72,7 @@ public:
   static constexpr bool has_constraints =
       is_given<NamedParameters, CGAL::internal_np::point_is_constrained_t>;
   static constexpr bool has_start = is_given<NamedParameters, internal_np::initial_point_map_t>;
+  static constexpr bool has_noise_map = is_given_as_map<NamedParameters, internal_np::noise_t>;
   static constexpr bool has_strength =
       is_given<NamedParameters, internal_np::feature_strength_map_t>;
 
@@ -94,6 +95,7 @@ public:
     check_size(CGAL::internal_np::point_is_constrained_t(), "point_is_constrained_map");
     check_size(internal_np::initial_point_map_t(), "initial_point_map");
     check_size(internal_np::feature_strength_map_t(), "feature_strength_map");
+    check_size(internal_np::noise_t(), "noise");
     if (normal_map)
       check_map_size(points, *normal_map, "normal_map", check);
   }

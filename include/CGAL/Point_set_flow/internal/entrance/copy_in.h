@@ -6,6 +6,7 @@
 
 #include <CGAL/Point_set_flow/internal/entrance/Caller_maps.h>
 #include <CGAL/Point_set_flow/internal/entrance/Frame.h>
+#include <CGAL/Point_set_flow/internal/entrance/copy_noise.h>
 
 #include <cmath>
 #include <cstddef>
@@ -65,6 +66,7 @@ struct Input {
   Array<Point_3> reference;      ///< \f$I\f$
   Array<Point_3> start;          ///< \f$\chi\f$; empty if it is the reference
   std::vector<char> constrained; ///< empty if no point is
+  Given_noise noise;
 
   /// \pre there are points
   template <typename Maps, typename ConcurrencyTag>
@@ -82,6 +84,7 @@ struct Input {
           copy_points<typename Maps::Kernel_point_3>(maps.points, map, "initial_point_map", check);
       move_to_core(start, frame);
     }
+    noise = copy_noise(maps, frame, check);
   }
 };
 

@@ -9,12 +9,14 @@
 #include <CGAL/Point_set_flow/internal/flow/Flow_parameters.h>
 #include <CGAL/Point_set_flow/parameters.h>
 #include <CGAL/number_utils.h>
+#include <CGAL/property_map.h>
 
 #include <cstdint>
 #include <functional>
 #include <limits>
 #include <optional>
 #include <type_traits>
+#include <utility>
 
 namespace CGAL {
 namespace Point_set_flow {
@@ -40,6 +42,18 @@ auto value_of(const NamedParameters& np, Tag tag, const Default& otherwise)
   else
     return otherwise;
 }
+
+/// Whether a type is that of a property map, and not of a number.
+template <typename T, typename = void>
+struct Is_property_map : std::false_type {};
+template <typename T>
+struct Is_property_map<T, std::void_t<typename boost::property_traits<T>::key_type>>
+    : std::true_type {};
+
+/// Whether the value of a named parameter is a property map.
+template <typename NamedParameters, typename Tag>
+constexpr bool is_given_as_map = Is_property_map<std::decay_t<decltype(parameters::get_parameter(
+    std::declval<const NamedParameters&>(), std::declval<const Tag&>()))>>::value;
 
 template <typename NamedParameters>
 std::function<bool(double)> read_callback(const NamedParameters& np)
@@ -100,6 +114,9 @@ Flow_parameters read_parameters(const std::optional<unsigned int>& k, const Name
   read.sharpness_angle = number(np, cgal_np::sharpness_angle);
   if (read.sharpness_angle && !(*read.sharpness_angle > 0. && *read.sharpness_angle <= 180.))
     check.refuse("sharpness_angle", *read.sharpness_angle, "must be in (0, 180] degrees");
+  if constexpr (!is_given_as_map<NamedParameters, internal_np::noise_t>)
+    if (const std::optional<double> noise = number(np, internal_np::noise_t()))
+      check.finite_and_not_negative("noise", *noise);
   const auto length_or_ratio = [&](const char* argument, auto tag) {
     const std::optional<double> value = number(np, tag);
     if (value)

@@ -6,6 +6,7 @@
 
 #include <CGAL/Point_set_flow/internal/entrance/Argument_check.h>
 #include <CGAL/Point_set_flow/internal/entrance/Frame.h>
+#include <CGAL/Point_set_flow/internal/flow/Block_runs.h>
 #include <CGAL/number_utils.h>
 
 #include <cmath>
@@ -33,28 +34,27 @@ class New_points {
 
 public:
   std::vector<Kernel_point_3> points;
-  double mean_movement = 0.; ///< in the unit of the caller
-
-  /// \param result, radii of the distinct points: where they are, and the radii of their
-  /// neighborhoods, which limit their movement; empty if it is not limited
-  /// \param site_of for each point, where it is in these
+  /// \param result of the distinct points; the radii of their neighborhoods limit their movement
+  /// \param site_of for each point, where it is in the result
+  /// \param report receives the mean movement, and how many points moved
   template <typename ConcurrencyTag>
-  New_points(const Maps& maps, const Frame& frame, const Array<Point_3>& result,
-             const Array<double>& radii, const std::vector<std::uint32_t>& site_of,
+  New_points(const Maps& maps, const Frame& frame, const Flow_result& result,
+             const std::vector<std::uint32_t>& site_of, Smoothing_report& report,
              const Argument_check& check, Loops<ConcurrencyTag>& loops)
-      : m_stays_in_neighborhood(!radii.empty()), m_check(check)
+      : m_stays_in_neighborhood(!result.radii.empty()), m_check(check)
   {
     // random memory access, worth parallelizing
     Array<Point_3> flowed(site_of.size());
     Array<double> limits(m_stays_in_neighborhood ? flowed.size() : 0);
     loops.for_each_chunk(flowed.size(), [&](std::size_t begin, std::size_t end) {
       for (std::size_t i = begin; i < end; ++i) {
-        flowed[i] = result[site_of[i]];
+        flowed[i] = result.points[site_of[i]];
         if (m_stays_in_neighborhood)
-          limits[i] = radii[site_of[i]];
+          limits[i] = result.radii[site_of[i]];
       }
     });
     points.reserve(flowed.size());
+    double movement = 0.;
     std::size_t i = 0;
     for (auto it = maps.points.begin(); it != maps.points.end(); ++it, ++i) {
       // adding the movement, instead of transforming back from the frame, preserves all digits of
@@ -63,13 +63,20 @@ public:
       Vector_3 d = flowed[i] - frame.to_core(p);
       if (m_stays_in_neighborhood)
         d = not_longer(d, limits[i]);
-      mean_movement += std::sqrt(d.squared_length()); // in the frame, where squares are in range
+      movement += std::sqrt(d.squared_length()); // in the frame, where squares are in range
       points.push_back(moved(p, d * frame.unit, i));
+      ++(is_same(points.back(), p) ? count_of(report, result.rest_reasons[site_of[i]])
+                                   : report.number_of_moved_points);
     }
-    mean_movement = mean_movement / double(points.size()) * frame.unit;
+    report.mean_movement = movement / double(points.size()) * frame.unit;
   }
 
 private:
+  static bool is_same(const Kernel_point_3& p, const Kernel_point_3& q)
+  {
+    return p.x() == q.x() && p.y() == q.y() && p.z() == q.z();
+  }
+
   /// The moved point. It does not leave the range of its coordinates (some scans mark missing points
   /// by the largest `float`); where movement is not limited, that is an error.
   Kernel_point_3 moved(const Kernel_point_3& p, const Vector_3& d, std::size_t i) const

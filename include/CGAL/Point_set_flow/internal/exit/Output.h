@@ -28,17 +28,15 @@ class Output {
 
 public:
   /// \param site_of for each point, where it is in `result`
+  /// \param report receives the mean movement, and how many points moved
   template <typename ConcurrencyTag>
   Output(Maps& maps, const Frame& frame, const Flow_result& result,
-         const std::vector<std::uint32_t>& site_of, const Argument_check& check,
-         Loops<ConcurrencyTag>& loops)
+         const std::vector<std::uint32_t>& site_of, Smoothing_report& report,
+         const Argument_check& check, Loops<ConcurrencyTag>& loops)
       : m_maps(maps), m_site_of(site_of), m_strength(result.feature_strength),
         m_normals(new_normals(maps, result.normals, site_of)),
-        m_moved(maps, frame, result.points, result.radii, site_of, check, loops)
+        m_moved(maps, frame, result, site_of, report, check, loops)
   {}
-
-  /// the mean distance between the points before and after, in the unit of the caller
-  double mean_movement() const { return m_moved.mean_movement; }
 
   /// Writes all, or nothing if a map throws. To be called once: the points are moved from.
   void write()

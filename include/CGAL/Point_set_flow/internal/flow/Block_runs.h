@@ -25,10 +25,11 @@ struct Wanted_results {
 /// The results for the distinct points.
 struct Flow_result {
   Array<Point_3> points;
-  Array<Vector_3> normals;        ///< empty if not wanted; null vectors where there is no plane
-  Array<double> feature_strength; ///< empty if not wanted
-  Array<double> radii;            ///< of the neighborhoods; empty if not wanted
-  double moved = 0.;              ///< the mean distance in the last step
+  Array<Vector_3> normals;         ///< empty if not wanted; null vectors where there is no plane
+  Array<double> feature_strength;  ///< empty if not wanted
+  Array<double> radii;             ///< of the neighborhoods; empty if not wanted
+  Array<Rest_reason> rest_reasons; ///< of those that did not move
+  double moved = 0.;               ///< the mean distance in the last step
 
   template <typename T>
   static void append(Array<T>& to, Array<T>&& of_block, const Block& block)
@@ -80,6 +81,7 @@ public:
   Flow_result operator()(Analyzed_points& points, std::size_t block_size)
   {
     const std::size_t n = points.buffer().size();
+    m_result.rest_reasons.reserve(n);
     if (n <= block_size) {
       m_loops.begin_stage(stage_costs::graph);
       Block all = take_all(points.buffer(), points.tree(), m_plan.search, m_loops);
@@ -118,6 +120,7 @@ private:
       if (i % chunk_size == 0)
         m_moved.push_back(0.);
       m_moved.back() += flow.moved(block.interior_place(i));
+      m_result.rest_reasons.push_back(flow.rest_reason(block.interior_place(i)));
     }
     if (m_wanted.normals)
       Flow_result::append(m_result.normals, flow.find_normals(), block);

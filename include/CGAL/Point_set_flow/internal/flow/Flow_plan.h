@@ -13,11 +13,11 @@
 #include <CGAL/Point_set_flow/internal/flow/tangent_planes.h>
 #include <CGAL/Point_set_flow/internal/neighbors/Block_cutter.h>
 #include <CGAL/Point_set_flow/internal/noise/Analyzed_points.h>
+#include <CGAL/Point_set_flow/internal/noise/Noise_levels.h>
 
 #include <algorithm>
 #include <cstddef>
 #include <limits>
-#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -28,6 +28,7 @@ namespace internal {
 class Flow_plan {
 public:
   const Noise_map& noise_map;
+  const Noise_levels noise;
   const bool uses_surface_estimate; ///< whether the estimator does
   /// whether the diffusivity is that of the prefiltered surface. An estimator that knows the noise
   /// needs no filter: its variation is what the noise does not explain.
@@ -46,7 +47,7 @@ public:
   template <typename Flow, typename Curvature, typename ConcurrencyTag>
   Flow_plan(const Analyzed_points& points, const Flow& flow, const Curvature& curvature,
             const Flow_parameters& parameters, double unit_, Loops<ConcurrencyTag>& loops)
-      : noise_map(points.noise_map()),
+      : noise_map(points.noise_map()), noise(points.buffer().noise, noise_map),
         uses_surface_estimate(Uses_surface_estimate<Curvature>::value),
         is_prefiltered(uses_prefilter(flow) && !uses_surface_estimate),
         is_k_given(parameters.k.has_value()), defaults(Defaults_of<Curvature>::get()),
@@ -85,13 +86,12 @@ public:
     Smoothing_report report;
     report.number_of_points = number_of_points;
     report.number_of_distinct_points = number_of_distinct_points;
-    report.noise = noise_map.noise() * unit;
+    report.noise = noise.typical * unit;
     report.spacing = noise_map.spacing() * unit;
     report.fewest_neighbors = report.most_neighbors = static_cast<unsigned int>(search.k);
     if (uses_surface_estimate && !is_k_given) {
-      const std::pair<double, double> noise = noise_map.noise_range();
-      report.fewest_neighbors = suited_size(noise.first);
-      report.most_neighbors = suited_size(noise.second);
+      report.fewest_neighbors = suited_size(noise.least);
+      report.most_neighbors = suited_size(noise.greatest);
     }
     const auto others = static_cast<unsigned int>(number_of_distinct_points - 1);
     report.fewest_neighbors = (std::min)(report.fewest_neighbors, others);
@@ -103,17 +103,16 @@ public:
   }
 
 private:
-  unsigned int suited_size(double noise) const
+  unsigned int suited_size(double level) const
   {
     const double spacing = noise_map.spacing();
-    return defaults.neighborhood_size(spacing > 0. ? noise / spacing : 0.);
+    return defaults.neighborhood_size(spacing > 0. ? level / spacing : 0.);
   }
 
   void plan_search(const Flow_parameters& parameters)
   {
     const unsigned int suited = suited_size(
-        uses_surface_estimate ? (std::max)(noise_map.noise(), noise_map.noise_range().second)
-                              : noise_map.noise());
+        uses_surface_estimate ? (std::max)(noise.typical, noise.greatest) : noise.typical);
     search.k = parameters.k.value_or(suited);
     if (parameters.neighbor_radius > 0.) // not 0 in the core, which would be no limit
       search.radius =
@@ -134,7 +133,7 @@ private:
     Surface_state state;
     state.spacing = noise_map.spacing();
     if (uses_surface_estimate)
-      state.noise = noise_map.noise_at(block.reference, loops);
+      state.noise = noise_at_points(block, noise_map, loops);
     if (is_prefiltered) {
       Array<Point_3> filtered;
       prefilter(block.current_points(), block.graph, filter_width, filtered, loops);

@@ -7,6 +7,7 @@
 #include <CGAL/Point_set_flow/Covariance_curvature.h>
 #include <CGAL/Point_set_flow/flows.h>
 #include <CGAL/Point_set_flow/internal/flow/Flow_plan.h>
+#include <CGAL/Point_set_flow/internal/flow/Rest_reason.h>
 #include <CGAL/Point_set_flow/internal/noise/two_sheets.h>
 
 #include <algorithm>
@@ -42,7 +43,7 @@ public:
     m_state.spacing = plan.noise_map.spacing();
     if (uses_surface_estimate) {
       loops.begin_stage(stage_costs::noise);
-      m_state.noise = plan.noise_map.noise_at(block.reference, loops);
+      m_state.noise = noise_at_points(block, plan.noise_map, loops);
     }
   }
 
@@ -84,6 +85,18 @@ public:
   double moved(std::size_t i) const
   {
     return m_before.empty() ? 0. : std::sqrt(squared_distance(m_block.points[i], m_before[i]));
+  }
+
+  /// Why a point of the block did not move, if it did not
+  Rest_reason rest_reason(std::size_t i) const
+  {
+    if (!m_block.constrained.empty() && m_block.constrained[i])
+      return Rest_reason::CONSTRAINED;
+    if (m_block.graph.size(i) < 2)
+      return Rest_reason::TOO_FEW_NEIGHBORS;
+    if (uses_surface_estimate && !(m_state.noise[i] > 0.))
+      return Rest_reason::NO_NOISE;
+    return Rest_reason::OTHER;
   }
 
   /// The normals of the points where they are now; null vectors where there are fewer than two
@@ -147,7 +160,7 @@ private:
     m_loops.begin_stage(stage_costs::sheets, sheet_loops);
     const Array<std::uint32_t> sizes =
         fit_sheets(surface(m_block.current_points(), m_plan.filter_width), m_plan.defaults,
-                   m_state.noise, m_loops);
+                   m_state.noise, m_plan.noise.is_given, m_loops);
     if (!m_plan.is_k_given) {
       m_loops.begin_stage(stage_costs::shrink);
       m_block.graph.shrink(m_block.reference, sizes, m_loops);

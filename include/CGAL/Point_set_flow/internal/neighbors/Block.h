@@ -24,6 +24,7 @@ struct Block {
   std::vector<char> constrained; ///< empty if no point is
   Neighbor_graph graph;
   std::vector<std::uint32_t> interior; ///< without the halo; empty if there is none
+  Given_noise noise;                   ///< of each point, if the caller gives it
 
   const Array<Point_3>& current_points() const { return points.empty() ? reference : points; }
   std::size_t interior_size() const
@@ -43,7 +44,8 @@ Block take_all(Point_buffer& buffer, const Neighbor_tree& tree, const Search_opt
           std::move(buffer.reference),
           std::move(buffer.constrained),
           std::move(graph),
-          {}};
+          {},
+          std::move(buffer.noise)};
 }
 
 } // namespace internal

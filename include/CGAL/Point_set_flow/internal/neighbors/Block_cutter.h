@@ -49,7 +49,7 @@ public:
     for (std::size_t i = 0; i < sorted.size(); ++i)
       m_place[sorted[i]] = static_cast<std::uint32_t>(i);
 
-    Block block = {{}, {}, {}, graph.renumbered(sites, m_place), {}};
+    Block block = {{}, {}, {}, graph.renumbered(sites, m_place), {}, m_buffer.noise.of(sorted)};
     for (const std::uint32_t site : sorted) {
       if (!m_buffer.start.empty())
         block.points.push_back(m_buffer.start[site]);

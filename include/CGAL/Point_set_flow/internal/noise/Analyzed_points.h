@@ -23,15 +23,17 @@ class Analyzed_points {
   std::optional<Noise_map> m_noise_map;
 
 public:
-  /// \param reference, start, constrained as for `Point_buffer`; the first two are freed as soon as
-  /// they are copied in order
+  /// \param reference, start, constrained, noise as for `Point_buffer`; the arrays are freed as soon
+  /// as they are copied in order
   template <typename ConcurrencyTag>
   Analyzed_points(Array<Point_3>&& reference, Array<Point_3>&& start,
-                  const std::vector<char>& constrained, Loops<ConcurrencyTag>& loops)
-      : m_buffer(in_order(reference, start, constrained, loops))
+                  const std::vector<char>& constrained, Given_noise&& noise,
+                  Loops<ConcurrencyTag>& loops)
+      : m_buffer(in_order(reference, start, constrained, noise, loops))
   {
     reference = Array<Point_3>(); // memory
     start = Array<Point_3>();
+    noise = Given_noise();
     loops.begin_stage(stage_costs::tree);
     m_tree.emplace(m_buffer.reference, loops);
     loops.begin_stage(stage_costs::scale);
@@ -54,15 +56,17 @@ public:
     m_buffer.reference = Array<Point_3>();
     m_buffer.start = Array<Point_3>();
     m_buffer.constrained = std::vector<char>();
+    m_buffer.noise = Given_noise();
   }
 
 private:
   template <typename ConcurrencyTag>
   static Point_buffer in_order(const Array<Point_3>& reference, const Array<Point_3>& start,
-                               const std::vector<char>& constrained, Loops<ConcurrencyTag>& loops)
+                               const std::vector<char>& constrained, const Given_noise& noise,
+                               Loops<ConcurrencyTag>& loops)
   {
     loops.begin_stage(stage_costs::order, 2);
-    return Point_buffer(reference, start, constrained, loops);
+    return Point_buffer(reference, start, constrained, noise, loops);
   }
 };
 

@@ -54,8 +54,9 @@ struct Sheet_fit {
 
   /// \param moments of the distances from the tangent planes, in spacings
   /// \param found_noise, spacing around the point
+  /// \param is_given whether the noise is known: the caller gave it
   Sheet_fit(const Distance_moments& moments, double found_noise, double spacing,
-            const Curvature_defaults& defaults)
+            const Curvature_defaults& defaults, bool is_given)
       : noise(found_noise)
   {
     const auto share = [](double x, double low, double high) {
@@ -69,7 +70,7 @@ struct Sheet_fit {
     // excess without being bimodal
     const double doubtful = .4, certain = .6;
     const double between = std::sqrt(share(-excess, doubtful, 2.));
-    if (between > 0.)
+    if (between > 0. && !is_given)
       noise = (std::min)(noise, spacing * std::sqrt(variance * (1. - between)));
 
     const double ratio = noise / spacing;
@@ -80,7 +81,8 @@ struct Sheet_fit {
     size = static_cast<std::uint32_t>(std::round((std::max)(suited, (std::min)(fewest, usual))));
     // noise of a tenth of the spacing cannot be distinguished from surface detail
     const double clean = .1, noisy = .18;
-    noise *= share(ratio, clean, noisy);
+    if (!is_given)
+      noise *= share(ratio, clean, noisy);
   }
 };
 
@@ -89,11 +91,11 @@ constexpr int sheet_loops = 5;
 
 /// Finds the noise within the sheets of thin parts, and what neighborhoods suit them.
 /// \param surface with normals
-/// \param noise the noise around each point; is reduced on thin parts
+/// \param noise the noise around each point; is reduced on thin parts unless the caller gave it
 /// \return the number of neighbors that each point should have
 template <typename ConcurrencyTag>
 Array<std::uint32_t> fit_sheets(const Surface& surface, const Curvature_defaults& defaults,
-                                Array<double>& noise, Loops<ConcurrencyTag>& loops)
+                                Array<double>& noise, bool is_given, Loops<ConcurrencyTag>& loops)
 {
   const std::size_t n = surface.size();
   const double spacing = surface.state.spacing;
@@ -109,7 +111,7 @@ Array<std::uint32_t> fit_sheets(const Surface& surface, const Curvature_defaults
     pool(surface.graph, moments, loops);
   loops.for_each_chunk(n, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
-      const Sheet_fit fit(moments[i], noise[i], spacing, defaults);
+      const Sheet_fit fit(moments[i], noise[i], spacing, defaults, is_given);
       noise[i] = fit.noise;
       sizes[i] = fit.size;
     }

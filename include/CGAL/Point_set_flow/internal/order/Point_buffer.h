@@ -5,6 +5,7 @@
 #include <CGAL/license/Point_set_flow.h>
 
 #include <CGAL/Point_set_flow/Core_kernel.h>
+#include <CGAL/Point_set_flow/internal/order/Given_noise.h>
 #include <CGAL/Point_set_flow/internal/order/Spatial_order.h>
 
 #include <cstddef>
@@ -25,14 +26,17 @@ public:
   Array<Point_3> reference;           ///< \f$I\f$
   Array<Point_3> start;               ///< \f$\chi\f$; empty if it is the reference
   std::vector<char> constrained;      ///< empty if no point is
+  Given_noise noise;                  ///< of duplicates the mean
   std::vector<std::uint32_t> site_of; ///< for each input point, where it is above
 
   /// \param input at most \f$2^{32} - 1\f$ reference points in the order of the caller
   /// \param from where the flow starts, Eq. (7b); empty to start at the reference
   /// \param fixed which points must not move; empty if all may
+  /// \param given the noise that the caller gives
   template <typename ConcurrencyTag>
   Point_buffer(const Array<Point_3>& input, const Array<Point_3>& from,
-               const std::vector<char>& fixed, Loops<ConcurrencyTag>& loops)
+               const std::vector<char>& fixed, const Given_noise& given,
+               Loops<ConcurrencyTag>& loops)
       : site_of(input.size())
   {
     const Spatial_order<ConcurrencyTag> order(input, from, loops);
@@ -47,6 +51,7 @@ public:
     };
     loops.for_each_chunk(input.size(), gather);
     merge_duplicates(order);
+    merge_noise(order, given);
     loops.ask();
     if (!fixed.empty())
       constrain(fixed);
@@ -72,6 +77,24 @@ private:
     }
     reference.resize(count);
     start.resize(start.empty() ? 0 : count);
+  }
+
+  /// \pre duplicates are merged
+  template <typename Order>
+  void merge_noise(const Order& order, const Given_noise& given)
+  {
+    noise.of_all = given.of_all;
+    if (given.of_each.empty())
+      return;
+    noise.of_each.reserve(size());
+    std::vector<double> of_site;
+    for (std::size_t i = 0; i < order.size(); ++i) {
+      of_site.push_back(given.of_each[order[i]]);
+      if (i + 1 == order.size() || site_of[order[i + 1]] != site_of[order[i]]) {
+        noise.of_each.push_back(mean_noise(of_site));
+        of_site.clear();
+      }
+    }
   }
 
   void constrain(const std::vector<char>& fixed)
