@@ -13,6 +13,7 @@
 #include <CGAL/estimate_point_set_noise.h>
 
 #include <numeric>
+#include <sstream>
 
 namespace np = CGAL::parameters;
 using namespace CGAL::Point_set_flow;
@@ -63,6 +64,9 @@ BOOST_AUTO_TEST_CASE(errors_name_the_argument_and_leave_the_points_unchanged)
   check("step_length is inf" + not_negative, with(np::step_length(infinity)));
   check("filter_width is -2" + not_negative, with(np::filter_width(-2)));
   check("feature_threshold is inf" + not_negative, with(np::feature_threshold(infinity)));
+  check("noise is -1" + not_negative, with(np::noise(-1.)));
+  check("noise is nan" + not_negative, with(np::noise(not_a_number)));
+  check("noise is inf" + not_negative, with(np::noise(infinity)));
   check("neighbor_radius is -1" + not_negative, with(np::neighbor_radius(-1.)));
   check("neighbor_radius is inf" + not_negative, with(np::neighbor_radius(infinity)));
 
@@ -101,6 +105,29 @@ BOOST_AUTO_TEST_CASE(coordinates_that_are_not_finite_are_named)
                    .point_map(CGAL::First_of_pair_property_map<Pair>()));
   });
   BOOST_TEST((pairs[4].first == noisy[4]));
+}
+
+BOOST_AUTO_TEST_CASE(noise_that_is_none_is_named)
+{
+  typedef std::pair<shapes::Point_3, float> Pair;
+  for (const double bad : {not_a_number, infinity, -2.}) {
+    std::vector<Pair> pairs;
+    for (const auto& p : noisy_cube(6))
+      pairs.emplace_back(p, .1f);
+    pairs[17].second = float(bad);
+    const std::vector<Pair> before = pairs;
+    std::ostringstream value;
+    value << bad;
+    check_message(smooth_function + "noise[17] is " + value.str() +
+                      ", but must be finite and not negative",
+                  [&] {
+                    CGAL::balanced_flow_smooth_point_set<Sequential>(
+                        pairs, np::noise(CGAL::Second_of_pair_property_map<Pair>())
+                                   .point_map(CGAL::First_of_pair_property_map<Pair>()));
+                  });
+    for (std::size_t i = 0; i < pairs.size(); ++i)
+      BOOST_REQUIRE((pairs[i].first == before[i].first));
+  }
 }
 
 BOOST_AUTO_TEST_CASE(errors_name_the_function_that_was_called)
@@ -148,6 +175,9 @@ BOOST_AUTO_TEST_CASE(maps_of_another_point_set_are_refused)
         np::feature_strength_map(fewer.add_property_map<double>("strength", 0.).first));
   check(size_of("point_is_constrained_map"),
         np::point_is_constrained_map(fewer.add_property_map<bool>("fixed", false).first));
+  check(size_of("noise"), np::noise(fewer.add_property_map<double>("noise", 0.).first));
+  check("noise is null, but must be the map of a property",
+        np::noise(Point_set::Property_map<double>()));
   check("feature_strength_map is null, but must be the map of a property",
         np::feature_strength_map(Point_set::Property_map<double>()));
 }
@@ -206,10 +236,11 @@ struct Cloud {
   std::vector<shapes::Vector_3> normals;
   std::vector<double> strengths;
   std::vector<char> fixed;
+  std::vector<double> noises;
 
   Cloud()
       : normals(points.size(), shapes::Vector_3(0, 0, 2)), strengths(points.size(), -1.),
-        fixed(points.size(), 0)
+        fixed(points.size(), 0), noises(points.size(), .05)
   {}
   bool operator==(const Cloud& other) const
   {
@@ -224,6 +255,7 @@ double smooth(Cloud& cloud, Access& access)
   return CGAL::balanced_flow_smooth_point_set<Sequential>(
       indices, 10,
       np::feature_strength_map(Throwing_map<double>{&cloud.strengths, &access})
+          .noise(Throwing_map<double>{&cloud.noises, &access})
           .number_of_iterations(1)
           .point_map(Throwing_map<shapes::Point_3>{&cloud.points, &access})
           .normal_map(Throwing_map<shapes::Vector_3>{&cloud.normals, &access})
