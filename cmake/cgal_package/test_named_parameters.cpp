@@ -65,6 +65,7 @@ int main()
                    .filter_width(.5)
                    .update_period(2)
                    .block_size(500)
+                   .noise(.02)
                    .smoothing_report(std::ref(report))
                    .initial_point_map(CGAL::make_property_map(points)));
   double sum = 0.;

@@ -7,6 +7,7 @@
 
 #include <fstream>
 #include <iostream>
+#include <sstream>
 #include <stdexcept>
 
 namespace balanced_flow_smooth {
@@ -19,6 +20,48 @@ std::string neighbors_to_text(const Smoothing_report& r)
   return r.fewest_neighbors == r.most_neighbors
              ? most
              : std::to_string(r.fewest_neighbors) + " to " + most;
+}
+
+/// "84.1%"; neither none nor all if it is not exactly that
+std::string share_to_text(std::size_t count, std::size_t of)
+{
+  if (count != 0 && double(count) < .001 * double(of))
+    return "less than 0.1%";
+  if (count != of && double(count) > .999 * double(of))
+    return "more than 99.9%";
+  std::ostringstream text;
+  text.precision(3);
+  text << 100. * double(count) / double(of) << '%';
+  return text.str();
+}
+
+/// How many points moved, and why the others did not
+std::string movement_to_text(const Smoothing_report& r, bool makes_steps)
+{
+  const std::size_t all = r.number_of_points;
+  std::string text = share_to_text(r.number_of_moved_points, all) + " of the points";
+  const char* between = "; ";
+  const auto add = [&](std::size_t count, const char* what) {
+    if (count != 0)
+      text += between + share_to_text(count, all) + what, between = ", ";
+  };
+  add(r.number_of_points_without_noise, " have no noise");
+  add(r.number_of_isolated_points, " have fewer than two neighbors");
+  add(r.number_of_constrained_points, " are constrained");
+  add(r.number_of_points_at_rest, makes_steps ? " lie on their surface already" : " made no step");
+  return text;
+}
+
+/// What the user can do if nothing moved; empty if there is nothing to do.
+std::string advice(const Smoothing_report& r, const Smoothing_settings& s)
+{
+  if (r.number_of_moved_points != 0 || !s.makes_steps())
+    return "";
+  if (r.number_of_points_without_noise != 0)
+    return "no noise can be told from detail; --noise sets its standard deviation by hand";
+  if (r.number_of_isolated_points != 0 && s.neighbor_radius > 0.)
+    return "a larger --neighbor-radius finds more neighbors";
+  return "";
 }
 
 nlohmann::ordered_json to_json(const File_report& r, const Settings& settings)
@@ -47,6 +90,9 @@ nlohmann::ordered_json to_json(const File_report& r, const Settings& settings)
     nlohmann::ordered_json& parameters = json["parameters"];
     parameters["flow"] = s.flow;
     parameters["curvature"] = s.curvature;
+    parameters["noise"] = nullptr; // estimated
+    if (s.noise)
+      parameters["noise"] = *s.noise;
     parameters["neighbors"] = {{"fewest", r.smoothing->fewest_neighbors},
                                {"most", r.smoothing->most_neighbors}};
     parameters["neighbor_radius"] = s.neighbor_radius;
@@ -60,6 +106,11 @@ nlohmann::ordered_json to_json(const File_report& r, const Settings& settings)
   if (r.smoothing && !settings.dry_run) {
     json["mean_movement"] = r.smoothing->mean_movement;
     json["last_movement"] = r.smoothing->last_movement;
+    json["moved"] = r.smoothing->number_of_moved_points;
+    json["not_moved"] = {{"without_noise", r.smoothing->number_of_points_without_noise},
+                         {"too_few_neighbors", r.smoothing->number_of_isolated_points},
+                         {"constrained", r.smoothing->number_of_constrained_points},
+                         {"at_rest", r.smoothing->number_of_points_at_rest}};
   }
   json["seconds"] = r.seconds;
   return json;
@@ -89,14 +140,19 @@ void print_summary(std::ostream& out, const File_report& r, const Settings& sett
     out << r.job.input.string() << "\n";
   out << "points            " << r.points << "\n"
       << "spacing           " << r.smoothing->spacing << "\n"
-      << "estimated noise   " << r.smoothing->noise << "\n"
+      << (s.noise ? "given noise       " : "estimated noise   ") << r.smoothing->noise << "\n"
       << "neighbors         " << neighbors_to_text(*r.smoothing)
       << (s.k || s.is_paper_estimator() ? "" : " (fewer where two sheets are close)") << "\n"
       << "iterations        " << s.iterations
       << (s.is_paper_estimator() ? "" : " at most, until nothing moves") << "\n";
-  if (!is_dry_run)
+  if (!is_dry_run) {
+    out << "moved             " << movement_to_text(*r.smoothing, s.makes_steps()) << "\n";
+    const std::string hint = advice(*r.smoothing, s);
+    if (!hint.empty())
+      out << "hint              " << hint << "\n";
     out << "mean movement     " << r.smoothing->mean_movement
         << " (last iteration: " << r.smoothing->last_movement << ")\n";
+  }
   else
     out << "flow              " << s.flow << ", with the estimator " << s.curvature << "\n"
         << "step length       " << s.step_length << "\n"

@@ -59,14 +59,17 @@ template <typename Run>
 auto with_parameters(const Smoothing_settings& s, const Run& run)
 {
   const auto with_numbers = [&](const auto& flow_and_curvature) {
+    const auto with_paper = [&](const auto& own) {
+      if (s.feature_threshold && s.filter_width)
+        return run(own.feature_threshold(*s.feature_threshold).filter_width(*s.filter_width));
+      if (s.feature_threshold)
+        return run(own.feature_threshold(*s.feature_threshold));
+      if (s.filter_width)
+        return run(own.filter_width(*s.filter_width));
+      return run(own);
+    };
     const auto own = flow_and_curvature.step_length(s.step_length).update_period(s.update_period);
-    if (s.feature_threshold && s.filter_width)
-      return run(own.feature_threshold(*s.feature_threshold).filter_width(*s.filter_width));
-    if (s.feature_threshold)
-      return run(own.feature_threshold(*s.feature_threshold));
-    if (s.filter_width)
-      return run(own.filter_width(*s.filter_width));
-    return run(own);
+    return s.noise ? with_paper(own.noise(*s.noise)) : with_paper(own);
   };
   if (s.is_paper_estimator())
     return with_numbers(

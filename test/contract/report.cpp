@@ -152,6 +152,8 @@ BOOST_AUTO_TEST_CASE(the_report_says_why_points_did_not_move)
   BOOST_TEST(report.number_of_points_without_noise + report.number_of_points_at_rest == n);
   report = smooth(plane, np::noise(0.));
   BOOST_TEST(report.number_of_points_without_noise == n);
+  report = smooth(plane, np::noise(0.).step_length(0.)); // no step was made
+  BOOST_TEST(report.number_of_points_at_rest == n);
   report = smooth(plane, np::noise(.1)); // a plane nevertheless
   BOOST_TEST(report.number_of_points_at_rest == n);
   report = smooth(plane, np::curvature(Covariance_curvature()));

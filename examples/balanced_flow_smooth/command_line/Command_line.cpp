@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <set>
+#include <sstream>
 #include <system_error>
 
 namespace balanced_flow_smooth {
@@ -86,6 +87,9 @@ void Command_line::add_smoothing_options(Option_group& group)
 {
   Smoothing_settings& s = m_settings.smoothing;
   group.add_options()
+    ("noise", options::value(&m_noise)->value_name("LENGTH"),
+     "standard deviation of the noise along the normals, in the unit of the data; by default estimated around each "
+     "point. It replaces the estimate")
     ("neighbors,k", options::value(&m_k)->value_name("N"),
      "number of neighbors, 0: chosen for each point from the data, which is the default")
     ("neighbor-radius", options::value(&s.neighbor_radius)->value_name("LENGTH"),
@@ -168,6 +172,15 @@ void Command_line::set_smoothing()
     s.sharpness_angle = defaults.sharpness_angle;
   if (!has("step-length"))
     s.step_length = defaults.step_length;
+  if (has("noise")) {
+    if (!(m_noise > 0.)) {
+      std::ostringstream message;
+      message << "--noise is " << m_noise
+              << ", but must be positive; without it the noise is estimated";
+      throw Usage_error(message.str());
+    }
+    s.noise = m_noise;
+  }
   if (has("feature-threshold"))
     s.feature_threshold = m_feature_threshold;
   if (has("filter-width"))

@@ -26,7 +26,7 @@ const std::map<std::string, std::vector<std::string>>& choices();
 class Command_line {
   // as they come: signed, so that -1 is refused and not 4294967295
   int m_k = 0, m_iterations = 0, m_update_period = 4, m_threads = 0;
-  double m_feature_threshold = 0., m_filter_width = 0.;
+  double m_noise = 0., m_feature_threshold = 0., m_filter_width = 0.;
   bool m_in_place = false;
   std::string m_output_directory, m_format, m_output_format;
   std::vector<std::string> m_files;

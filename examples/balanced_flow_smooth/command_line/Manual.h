@@ -32,6 +32,10 @@ inline const std::vector<std::string> description = {
     "In the same format, nothing changes in a file but coordinates and, where there are any, "
     "normals: all other bytes stay, as do the types of the numbers. A number that does not change "
     "keeps its bytes, too.",
+    "The summary tells what share of the points moved, and why the others did not: they have no "
+    "noise, they have fewer than two neighbors, or they lie on their surface already. With --json "
+    "these are numbers of points: \"moved\", and in \"not_moved\" \"without_noise\", "
+    "\"too_few_neighbors\", \"constrained\" and \"at_rest\". They add up to \"points\".",
     "An output is written beside its place and moved there when it is complete and on the disk, "
     "with the permissions of the file that it replaces. A file that fails is reported and left as "
     "it was, and the next one is taken.",
@@ -67,6 +71,8 @@ inline const std::vector<std::pair<std::string, std::string>> examples = {
     {"balanced-flow-smooth scan.ply smoothed.ply", "Smooth one file."},
     {"balanced-flow-smooth --dry-run scan.ply",
      "Tell the spacing, the noise and what would be done."},
+    {"balanced-flow-smooth --noise 0.003 scan.ply smoothed.ply",
+     "Smooth a file whose noise is known: 3 mm, if the unit is 1 m."},
     {"balanced-flow-smooth --in-place --json=report.json scans/*.ply",
      "Smooth many files where they are, with a report for programs."},
     {"zcat scan.ply.gz | balanced-flow-smooth - - | gzip > smoothed.ply.gz", "In a pipeline."},

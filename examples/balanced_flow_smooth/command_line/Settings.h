@@ -17,8 +17,9 @@ struct Smoothing_settings {
   std::optional<unsigned int> k;
   unsigned int iterations = 0, update_period = 4;
   double neighbor_radius = 0., sharpness_angle = 0., step_length = 0.;
-  std::optional<double> feature_threshold, filter_width;
+  std::optional<double> noise, feature_threshold, filter_width;
 
+  bool makes_steps() const { return iterations != 0 && step_length != 0.; }
   bool is_paper_estimator() const { return curvature == "covariance"; }
 };
 

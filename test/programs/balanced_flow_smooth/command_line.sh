@@ -76,6 +76,33 @@ check "what is reported is what is done" bash -c "
   k=\$(python3 -c \"import json; print(repr(json.load(open('report.json'))['files'][0]['parameters']['feature_threshold']))\")
   '$program' '$kitten' k.xyz -q --feature-threshold \$k --filter-width 0.6 && cmp k.xyz out/kitten.xyz"
 
+# ---- noise by hand, and who moved
+
+plane() { awk -v noise="$1" 'BEGIN { srand(2); for (i = 0; i < 2500; ++i) print i % 50 + rand() / 2, int(i / 50) + rand() / 2, noise * (rand() + rand() + rand() - 1.5) }'; }
+plane 0 > plane.xyz
+plane 0.12 > faint.xyz # a deviation of .06 spacings
+"$program" plane.xyz none.xyz --json=none.json > none.txt
+check "a plane stays" cmp <(cut -d' ' -f1-3 plane.xyz) <(cut -d' ' -f1-3 none.xyz)
+check "and is told to" grep -q '^moved *0% of the points; 100% ' none.txt
+check "no steps are told" bash -c "'$program' plane.xyz none.xyz --iterations 0 | grep -q '^moved *0% of the points; 100% made no step'"
+printf '0 0 0\n1 0 0\n' > two.xyz
+check "too few neighbors are told" bash -c "'$program' two.xyz none.xyz | grep -q '^moved *0% of the points; 100% have fewer than two neighbors'"
+check "a small radius is told" bash -c "'$program' faint.xyz none.xyz --neighbor-radius 0.01 | grep -q '^hint *a larger --neighbor-radius'"
+"$program" faint.xyz given.xyz --noise 0.06 --json=given.json > given.txt
+check "the given noise is told" grep -q '^given noise *0.06$' given.txt
+check "it is removed" bash -c "rms() { awk '{ s += \$3^2 } END { print s }' \"\$1\"; }; awk -v a=\$(rms faint.xyz) -v b=\$(rms given.xyz) 'BEGIN { exit !(b < .4 * a) }'"
+check "a dry run with it" bash -c "'$program' -n faint.xyz --noise 0.06 --json | grep -q '\"noise\": 0.06'"
+cat > moved.py <<'END'
+import json
+for name in "none", "given":
+    f = json.load(open(name + ".json"))["files"][0]
+    assert f["moved"] + sum(f["not_moved"].values()) == f["points"] == 2500, f
+    assert (f["moved"] == 0) == (name == "none"), f
+    assert f["parameters"]["noise"] == (.06 if name == "given" else None), f
+assert set(f["not_moved"]) == {"without_noise", "too_few_neighbors", "constrained", "at_rest"}, f
+END
+check "the report says who moved" python3 moved.py
+
 # a flow without prefilter takes K from the surface itself, as in the library; here K depends on the noise
 awk 'BEGIN { srand(1); for (i = 0; i < 2000; ++i) print rand(), rand(), rand() }' > noise.xyz
 threshold() { "$program" -n noise.xyz --curvature covariance --flow "$1" | sed -n 's/^feature threshold *//p'; }

@@ -62,6 +62,11 @@ check "no files" fails_with 1 "is required" "$program"
 check "no output" fails_with 1 "an output is required" "$program" colors.xyz
 check "three files" fails_with 1 "more than two files need" "$program" a.xyz b.xyz c.xyz
 check "bad value" fails_with 1 "step_length is -1" "$program" colors.xyz no.xyz --step-length -1
+for noise in 0 -1 nan; do
+  check "noise of $noise" fails_with 1 "--noise is $noise, but must be positive" "$program" colors.xyz no.xyz --noise $noise
+done
+check "infinite noise" fails_with 1 "noise is inf, but must be finite" "$program" colors.xyz no.xyz --noise inf
+check "noise that is no number" fails_with 1 "('much') for option '--noise' is invalid" "$program" colors.xyz no.xyz --noise much
 check "negative k" fails_with 1 "must not be negative" "$program" colors.xyz no.xyz -k -3
 check "k of one" fails_with 1 "at least 2 neighbors" "$program" colors.xyz no.xyz -k 1
 check "unknown flow" fails_with 1 'no flow "lava"' "$program" colors.xyz no.xyz --flow lava

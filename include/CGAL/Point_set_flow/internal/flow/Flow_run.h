@@ -92,6 +92,8 @@ public:
   {
     if (!m_block.constrained.empty() && m_block.constrained[i])
       return Rest_reason::CONSTRAINED;
+    if (m_plan.number_of_iterations == 0 || m_plan.step_length == 0.)
+      return Rest_reason::OTHER;
     if (m_block.graph.size(i) < 2)
       return Rest_reason::TOO_FEW_NEIGHBORS;
     if (uses_surface_estimate && !(m_state.noise[i] > 0.))
