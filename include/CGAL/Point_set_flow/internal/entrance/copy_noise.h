@@ -9,6 +9,8 @@
 #include <CGAL/Point_set_flow/internal/order/Given_noise.h>
 
 #include <algorithm>
+#include <cstddef>
+#include <iterator>
 #include <optional>
 
 namespace CGAL {
@@ -25,6 +27,7 @@ Given_noise copy_noise(const Maps& maps, const Frame& frame, const Argument_chec
   const auto to_core = [&](double noise) { return (std::min)(noise / frame.unit, largest); };
   Given_noise noise;
   if constexpr (Maps::has_noise_map) {
+    noise.of_each.reserve(std::size_t(std::distance(maps.points.begin(), maps.points.end())));
     const auto map = parameters::get_parameter(maps.np, internal_np::noise_t());
     for (auto it = maps.points.begin(); it != maps.points.end(); ++it) {
       const double value = static_cast<double>(get(map, *it));

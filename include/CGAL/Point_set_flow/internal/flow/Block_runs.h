@@ -81,7 +81,6 @@ public:
   Flow_result operator()(Analyzed_points& points, std::size_t block_size)
   {
     const std::size_t n = points.buffer().size();
-    m_result.rest_reasons.reserve(n);
     if (n <= block_size) {
       m_loops.begin_stage(stage_costs::graph);
       Block all = take_all(points.buffer(), points.tree(), m_plan.search, m_loops);
@@ -116,6 +115,7 @@ private:
   {
     Flow_run<ConcurrencyTag, Flow, Curvature> flow(m_plan, block, m_flow, m_curvature, m_loops);
     flow();
+    m_result.rest_reasons.reserve(m_plan.number_of_distinct_points); // not earlier, to save memory
     for (std::size_t i = 0; i < block.interior_size(); ++i) {
       if (i % chunk_size == 0)
         m_moved.push_back(0.);

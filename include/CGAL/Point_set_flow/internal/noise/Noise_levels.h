@@ -27,9 +27,9 @@ struct Noise_levels {
     if (given.of_all)
       typical = least = greatest = *given.of_all;
     else if (is_given) {
-      std::vector<double> sorted(given.of_each.begin(), given.of_each.end());
-      typical = median(sorted);
-      const auto range = std::minmax_element(sorted.begin(), sorted.end());
+      std::vector<double> values(given.of_each.begin(), given.of_each.end());
+      typical = median(values);
+      const auto range = std::minmax_element(values.begin(), values.end());
       least = *range.first, greatest = *range.second;
     }
     else {
