@@ -54,6 +54,7 @@ int main()
 
   Points points = noisy_sphere();
   std::vector<double> strength(points.size());
+  const std::vector<int> scans(points.size(), 1);
   CGAL::Point_set_flow::Smoothing_report report;
   std::vector<std::size_t> indices(points.size());
   for (std::size_t i = 0; i < indices.size(); ++i)
@@ -66,6 +67,7 @@ int main()
                    .update_period(2)
                    .block_size(500)
                    .noise(.02)
+                   .scan_map(CGAL::make_property_map(scans))
                    .smoothing_report(std::ref(report))
                    .initial_point_map(CGAL::make_property_map(points)));
   double sum = 0.;

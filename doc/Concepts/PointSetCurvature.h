@@ -13,7 +13,8 @@ In every step `directional_curvature()` is called for each point with the tangen
 `tangent_plane()` returned for it. If the estimator declares `Uses_surface_estimate`, the planes of all
 points are computed first, and the neighborhood also has the noise around the point and the normals: those
 of the previous step in `tangent_plane()`, none in the first step, and those of the current step in
-`directional_curvature()`. Neither function is called for points with fewer than two neighbors. For a flow
+`directional_curvature()`. Where the caller gave normals that can be trusted, it also tells which neighbors are on
+the opposite side of a thin wall. Neither function is called for points with fewer than two neighbors. For a flow
 that uses the prefilter, `tangent_plane()` is also called for the prefiltered surface, unless the estimator
 uses the surface estimate.
 

@@ -46,7 +46,7 @@ std::string movement_to_text(const Smoothing_report& r, bool makes_steps)
       text += between + share_to_text(count, all) + what, between = ", ";
   };
   add(r.number_of_points_without_noise, " have no noise");
-  add(r.number_of_isolated_points, " have fewer than two neighbors");
+  add(r.number_of_isolated_points, " have fewer than two neighbors or are far from all others");
   add(r.number_of_constrained_points, " are constrained");
   add(r.number_of_points_at_rest, makes_steps ? " lie on their surface already" : " made no step");
   return text;
@@ -58,7 +58,7 @@ std::string advice(const Smoothing_report& r, const Smoothing_settings& s)
   if (r.number_of_moved_points != 0 || !s.makes_steps())
     return "";
   if (r.number_of_points_without_noise != 0)
-    return "no noise can be told from detail; --noise sets its standard deviation by hand";
+    return "no noise was found; --noise sets its standard deviation by hand";
   if (r.number_of_isolated_points != 0 && s.neighbor_radius > 0.)
     return "a larger --neighbor-radius finds more neighbors";
   return "";

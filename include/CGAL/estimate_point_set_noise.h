@@ -14,10 +14,12 @@ namespace CGAL {
    estimates the standard deviation of the noise of a point set: of the distances of the points to
    the surface that they were measured on.
 
-   It is the median deviation of about 1,000 neighborhoods from quadrics fitted to them by least
-   squares; see `Point_set_flow::estimate_point_set_scale()`, which finds the spacing as well. For
-   Gaussian noise between 0.1 and 2 spacings on a smooth surface the estimate is within 15% of the
-   truth. Surface detail below the sampling density counts as noise.
+   The noise is estimated around one point of about 18, from quadrics fitted to its neighborhoods by
+   least squares, and the median of these estimates is returned; see
+   `Point_set_flow::estimate_point_set_scale()`, which finds the spacing as well. For Gaussian noise
+   between 0.03 and 2 spacings on a smooth surface the estimate is within 15% of the truth. Surface detail
+   below the sampling density counts as noise where it covers most of the surface. Smoothing uses the
+   estimates around each point, not their median.
 
    \tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag` or `Parallel_if_available_tag`
    \tparam PointRange is a model of `Range` with forward iterators. The value type of its iterator
@@ -33,7 +35,7 @@ namespace CGAL {
    \throws std::invalid_argument if a coordinate is not finite
    \throws std::length_error if there are more than \f$2^{32}-1\f$ points
 
-   Complexity: that of sorting the points.
+   Complexity: \f$O(n \log n)\f$, that of building a kd-tree and of searching neighbors in it.
 
    \sa `balanced_flow_smooth_point_set()`
 */

@@ -175,6 +175,24 @@ double seconds_for(Points points)
 }
 } // namespace
 
+// Scanners write pixels without a measurement as 0 0 0.
+BOOST_AUTO_TEST_CASE(copies_far_from_everything_stay_where_they_are)
+{
+  Points points = noisy_cube(40);
+  for (shapes::Point_3& p : points)
+    p = p + shapes::Vector_3(30., 20., 10.);
+  const std::size_t surface = points.size(), copies = 1000;
+  points.insert(points.end(), copies, shapes::Point_3(0., 0., 0.));
+  const Points before = points;
+  CGAL::Point_set_flow::Smoothing_report report;
+  CGAL::balanced_flow_smooth_point_set<CGAL::Sequential_tag>(
+      points, CGAL::parameters::smoothing_report(std::ref(report)));
+  for (std::size_t i = surface; i < points.size(); ++i)
+    BOOST_REQUIRE((points[i] == before[i]));
+  BOOST_TEST(report.number_of_isolated_points == copies);
+  BOOST_TEST(report.number_of_moved_points > surface * 9 / 10);
+}
+
 BOOST_AUTO_TEST_CASE(adverse_clouds_take_no_longer_than_others)
 {
   const std::size_t n = 20000;

@@ -77,8 +77,9 @@ BOOST_AUTO_TEST_CASE(the_given_noise_is_used_and_reported)
   const Smoothing_report of_map = analyze_point_set<Sequential>(
       indices, np::noise(CGAL::make_property_map(noise)).point_map(CGAL::make_property_map(noisy)));
   BOOST_TEST(of_map.noise == .03);
-  BOOST_TEST(of_map.most_neighbors == most(.2));
-  BOOST_TEST(of_map.fewest_neighbors == most(.03));
+  BOOST_TEST(of_map.most_neighbors <= most(.2));
+  BOOST_TEST(of_map.most_neighbors > most(.1));
+  BOOST_TEST(of_map.fewest_neighbors <= most(.03));
 }
 
 BOOST_AUTO_TEST_CASE(noise_below_what_can_be_estimated_is_removed_if_it_is_given)
@@ -130,7 +131,7 @@ BOOST_AUTO_TEST_CASE(a_number_and_a_map_of_that_number_give_the_same_points)
                                   CGAL::Identity_property_map<shapes::Point_3>())) == expected));
 }
 
-BOOST_AUTO_TEST_CASE(the_estimator_of_the_paper_takes_its_neighbors_from_the_given_noise_only)
+BOOST_AUTO_TEST_CASE(the_estimator_of_the_paper_takes_k_and_its_threshold_from_the_given_noise_only)
 {
   const Points noisy = noisy_cube();
   const auto size = [&](double noise) {
@@ -138,12 +139,15 @@ BOOST_AUTO_TEST_CASE(the_estimator_of_the_paper_takes_its_neighbors_from_the_giv
         .most_neighbors;
   };
   BOOST_TEST(size(.01) < size(1.));
-  Points given = noisy, with_k = noisy;
-  CGAL::balanced_flow_smooth_point_set<Sequential>(
-      given, np::noise(.05).curvature(Covariance_curvature()));
-  CGAL::balanced_flow_smooth_point_set<Sequential>(with_k, size(.05),
-                                                   np::curvature(Covariance_curvature()));
-  BOOST_TEST((given == with_k));
+  // with k and K given, nothing is left to be chosen
+  const auto run = [&](double sigma) {
+    Points points = noisy;
+    CGAL::balanced_flow_smooth_point_set<Sequential>(
+        points, 20, np::noise(sigma).curvature(Covariance_curvature()).feature_threshold(100.));
+    return points;
+  };
+  BOOST_TEST((run(.05) == run(.5)));
+  BOOST_TEST((run(.05) != noisy));
 }
 
 BOOST_AUTO_TEST_CASE(results_do_not_depend_on_order_threads_and_blocks)

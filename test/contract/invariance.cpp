@@ -121,3 +121,48 @@ BOOST_AUTO_TEST_CASE(the_result_is_translated_scaled_and_rotated_with_the_points
   check(Transformation(c, -s, 0., s, c, 0., 0., 0., 1.), 1e-9);
   check(Transformation(1., 0., 0., 0., c, -s, 0., s, c), 1e-9);
 }
+
+namespace {
+
+/// Hilly ground of unit spacing, jittered, with noise of .3 from x = 0 on; the noise before is given
+Points ground(double least_x, double most_x, double noise_before)
+{
+  Points points;
+  for (int i = -100; i < 400; ++i)
+    for (int j = 0; j < 30; ++j) {
+      std::mt19937 random(unsigned(1000 * (i + 100) + j)); // the same at any place
+      std::normal_distribution<double> gauss(0., 1.);
+      const double x = i + .2 * gauss(random), y = j + .2 * gauss(random);
+      const double noise = (i < 0 ? noise_before : .3) * gauss(random);
+      if (x >= least_x && x < most_x)
+        points.emplace_back(x, y, 2. * std::sin(.1 * x) * std::cos(.15 * y) + noise);
+    }
+  return points;
+}
+
+} // namespace
+
+// The result at a point is a function of the points around it: nothing is decided for all points.
+BOOST_AUTO_TEST_CASE(the_result_depends_on_the_points_around_only)
+{
+  const Points all = smoothed(ground(-100., 400., .3));
+  const Points cut = smoothed(ground(-100., 250., .3));     // without a part far away
+  const Points noisier = smoothed(ground(-100., 400., 2.)); // with noise of another kind there
+  const Points none = smoothed(ground(0., 400., .3));
+  const auto compare = [&](const Points& other, double least_x, double most_x) {
+    std::size_t compared = 0;
+    for (const auto& p : other)
+      if (p.x() > least_x && p.x() < most_x) {
+        const auto nearest =
+            *std::min_element(all.begin(), all.end(), [&](const auto& a, const auto& b) {
+              return CGAL::squared_distance(a, p) < CGAL::squared_distance(b, p);
+            });
+        BOOST_REQUIRE(CGAL::squared_distance(nearest, p) < 1e-20); // they are moved to the origin
+        ++compared;
+      }
+    BOOST_TEST(compared > 1000u);
+  };
+  compare(cut, -100., 120.);
+  compare(noisier, 140., 400.);
+  compare(none, 140., 400.);
+}

@@ -112,7 +112,7 @@ BOOST_AUTO_TEST_CASE(a_minimal_kernel_is_enough)
   std::vector<Minimal_pair> pairs;
   for (const auto& p : noisy) {
     pairs.emplace_back(Minimal_kernel::Point_3(float(p.x()), float(p.y()), float(p.z())),
-                       Minimal_kernel::Vector_3(0, 0, 1));
+                       Minimal_kernel::Vector_3(0, 0, 0));
     expected.emplace_back(float(p.x()), float(p.y()), float(p.z()));
   }
   CGAL::balanced_flow_smooth_point_set<Sequential>(expected, 20);

@@ -78,7 +78,7 @@ BOOST_AUTO_TEST_CASE(the_graph_has_the_nearest_neighbors)
   const internal::Neighbor_tree tree(points, loops);
   for (const double radius : {0., .4}) // without a limit, and with one
     for (const std::size_t k : {std::size_t(1), std::size_t(7), std::size_t(30), points.size()}) {
-      internal::Neighbor_graph graph(tree, {k, radius}, loops);
+      internal::Neighbor_graph graph(tree, {k, radius, {}, nullptr}, loops);
       const auto check = [&](std::size_t i, std::size_t most) {
         auto expected = by_distance(points, i);
         expected.resize((std::min)(most, expected.size()));
@@ -104,6 +104,44 @@ BOOST_AUTO_TEST_CASE(the_graph_has_the_nearest_neighbors)
       for (std::size_t i = 0; i < points.size(); i += 7)
         check(i, (std::min)(k, std::size_t(sizes[i])));
     }
+}
+
+BOOST_AUTO_TEST_CASE(a_graph_of_few_points_has_as_many_neighbors_as_wanted)
+{
+  Loops loops(nullptr, 1.);
+  for (const std::size_t n : {10, 33, 91, 300}) {
+    const Points points = array(shapes::sphere(n, 1.));
+    const internal::Neighbor_tree tree(points, loops);
+    for (const std::size_t k : {n / 4, n / 2, 2 * n / 3, n - 2}) {
+      const internal::Neighbor_graph graph(tree, {k}, loops);
+      for (std::size_t i = 0; i < n; ++i) {
+        BOOST_REQUIRE(graph.size(i) == k);
+        BOOST_REQUIRE(graph.radius(i) == std::sqrt(by_distance(points, i)[k - 1].squared_distance));
+      }
+    }
+  }
+}
+
+BOOST_AUTO_TEST_CASE(parts_of_the_points_have_numbers_of_neighbors_of_their_own)
+{
+  const Points points = points_of_all_kinds();
+  Loops loops(nullptr, 1.);
+  const internal::Neighbor_tree tree(points, loops);
+  internal::Array<std::uint32_t> part_of;
+  for (std::size_t i = 0; i < points.size(); ++i)
+    part_of.push_back(std::uint32_t(i / 50 % 3));
+  const std::vector<std::uint32_t> sizes = {5, 40, 1000000};
+  const internal::Neighbor_graph graph(tree, {0, 0., sizes, &part_of}, loops);
+  for (std::size_t part = 0; part < 3; ++part) {
+    const internal::Neighbor_graph alike(tree, {sizes[part]}, loops);
+    for (std::size_t i = 0; i < points.size(); ++i)
+      if (part_of[i] == part) {
+        BOOST_REQUIRE(graph.size(i) == alike.size(i));
+        BOOST_REQUIRE(graph.radius(i) == alike.radius(i));
+        BOOST_REQUIRE(
+            std::equal(graph.neighbors(i), graph.neighbors(i) + graph.size(i), alike.neighbors(i)));
+      }
+  }
 }
 
 BOOST_AUTO_TEST_CASE(neighbors_are_the_nearest_ones)
@@ -227,7 +265,7 @@ BOOST_AUTO_TEST_CASE(the_prefilter_brings_the_variation_nearer_to_that_of_the_cl
   shapes::add_noise(noisy, .01);
   Loops loops(nullptr, 1.);
   const internal::Neighbor_tree tree(clean, loops);
-  const internal::Neighbor_graph graph(tree, {20, 0.}, loops);
+  const internal::Neighbor_graph graph(tree, {20}, loops);
   Points filtered;
   internal::prefilter(noisy, graph, .5, filtered, loops);
 
@@ -245,7 +283,7 @@ BOOST_AUTO_TEST_CASE(noise_and_spacing_are_estimated)
 {
   // unit area per point would be a spacing of 1: here the area is 4 pi over 20,000 points
   const double spacing = std::sqrt(4. * CGAL_PI / 20000.);
-  for (const double in_spacings : {.1, .5, 1., 2.}) {
+  for (const double in_spacings : {.03, .1, .5, 1., 2.}) {
     Points points = array(shapes::sphere(20000, 1.));
     shapes::add_noise(points, in_spacings * spacing);
     const Point_set_scale scale = estimate_point_set_scale<CGAL::Sequential_tag>(points);
@@ -264,6 +302,39 @@ BOOST_AUTO_TEST_CASE(noise_and_spacing_are_estimated)
   BOOST_TEST(estimate_point_set_scale<CGAL::Sequential_tag>(Points()).spacing == 0.);
 }
 
+// Lines, pixel columns and copies: small neighborhoods there are no pieces of a surface, and a
+// quadric fits them exactly.
+BOOST_AUTO_TEST_CASE(neighborhoods_are_two_dimensional_before_anything_is_fitted)
+{
+  std::mt19937 random(5);
+  std::normal_distribution<double> gauss(0., 1.);
+  const auto height = [](double x, double y) { return .5 * std::sin(.2 * x) * std::cos(.3 * y); };
+  const auto estimate = [&](const char* what, double noise, const Points& points) {
+    const double found = estimate_point_set_scale<CGAL::Sequential_tag>(points).noise;
+    BOOST_TEST(found == noise, boost::test_tools::tolerance(.3));
+    BOOST_TEST_MESSAGE(what << ": " << found / noise);
+  };
+  Points profiles, frames, copies;
+  for (int i = 0; i < 1000; ++i) // 12 times coarser across than along
+    for (int j = 0; j < 10; ++j) {
+      const double x = .25 * (i + .1 * gauss(random)), y = 3. * j;
+      profiles.emplace_back(x, y, height(x, y) + .05 * gauss(random));
+    }
+  estimate("profiles", .05, profiles);
+  for (int i = 0; i < 30; ++i) // 12 frames of one camera
+    for (int j = 0; j < 30; ++j)
+      for (int frame = 0; frame < 12; ++frame)
+        frames.emplace_back(i, j, height(i, j) + .3 * gauss(random));
+  estimate("frames", .3, frames);
+  for (int i = 0; i < 5000; ++i) { // merged three times
+    const double x = i % 71 + .3 * gauss(random), y = i / 71 + .3 * gauss(random);
+    const Point_3 p(x, y, height(x, y) + .25 * gauss(random));
+    for (int copy = 0; copy < 3; ++copy)
+      copies.emplace_back(p.x() + 1e-6 * copy, p.y(), p.z());
+  }
+  estimate("copies", .25, copies);
+}
+
 BOOST_AUTO_TEST_CASE(thin_parts_are_distinguished_from_noise)
 {
   const double spacing = std::sqrt(CGAL_PI / 4000.), sigma = .5 * spacing;
@@ -274,13 +345,16 @@ BOOST_AUTO_TEST_CASE(thin_parts_are_distinguished_from_noise)
     shapes::add_noise(points, sigma);
     Loops loops(nullptr, 1.);
     const internal::Neighbor_tree tree(points, loops);
-    internal::Neighbor_graph graph(tree, {60, 0.}, loops);
-    internal::Surface_state state;
+    internal::Neighbor_graph graph(tree, {60}, loops);
+    const double layer = (thin ? std::sqrt(5.) : 1.) * sigma;
+    const std::vector<internal::Local_parameters> parts = {
+        {layer, spacing, 60, 12, .6, false, 0., Diffusivity(0.)}};
+    internal::Surface_state state = {{}, {}, {}, parts, 0., {}, {}};
     state.normals.assign(points.size(), Vector_3(0, 0, 1));
-    state.noise.assign(points.size(), (thin ? std::sqrt(5.) : 1.) * sigma);
-    state.spacing = spacing;
+    state.noise.assign(points.size(), layer);
+    state.part_of.assign(points.size(), 0);
     const internal::Array<std::uint32_t> sizes = internal::fit_sheets(
-        {points, graph, .6, state}, Tangent_plane_curvature::defaults(), state.noise, false, loops);
+        {points, graph, state}, Tangent_plane_curvature::defaults(), state.noise, false, loops);
     const double noise =
         std::accumulate(state.noise.begin(), state.noise.end(), 0.) / double(points.size());
     const double size = std::accumulate(sizes.begin(), sizes.end(), 0.) / double(points.size());
@@ -294,17 +368,17 @@ BOOST_AUTO_TEST_CASE(thin_parts_are_distinguished_from_noise)
     }
     // what the caller gives is not doubted
     const internal::Array<double> given = state.noise;
-    internal::fit_sheets({points, graph, .6, state}, Tangent_plane_curvature::defaults(),
-                         state.noise, true, loops);
+    internal::fit_sheets({points, graph, state}, Tangent_plane_curvature::defaults(), state.noise,
+                         true, loops);
     BOOST_TEST((state.noise == given));
   }
 }
 
 BOOST_AUTO_TEST_CASE(more_than_2_to_the_32_neighbors_do_not_overflow)
 {
-  // 100 million points with 128 neighbors each, without the memory that they take
-  typedef internal::Neighbor_graph Graph;
-  const std::uint32_t last = 100000000u - 1u;
-  BOOST_TEST(Graph::offset(last, 128) == std::size_t(12799999872u));
-  BOOST_TEST(Graph::offset(last, 128) > std::size_t((std::numeric_limits<std::uint32_t>::max)()));
+  internal::Neighbor_offsets offsets; // of 100,000 points with 100,000 neighbors each
+  for (std::size_t i = 0; i < 100000; ++i)
+    offsets.push_back(i * 100000);
+  for (std::size_t i = 0; i < 100000; i += 7)
+    BOOST_REQUIRE(offsets[i] == i * 100000);
 }

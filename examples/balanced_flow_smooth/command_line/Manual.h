@@ -33,7 +33,8 @@ inline const std::vector<std::string> description = {
     "normals: all other bytes stay, as do the types of the numbers. A number that does not change "
     "keeps its bytes, too.",
     "The summary tells what share of the points moved, and why the others did not: they have no "
-    "noise, they have fewer than two neighbors, or they lie on their surface already. With --json "
+    "noise, they have fewer than two neighbors or are far from all others, or they lie on their "
+    "surface already. With --json "
     "these are numbers of points: \"moved\", and in \"not_moved\" \"without_noise\", "
     "\"too_few_neighbors\", \"constrained\" and \"at_rest\". They add up to \"points\".",
     "An output is written beside its place and moved there when it is complete and on the disk, "

@@ -24,8 +24,9 @@ struct Curvature_defaults {
   unsigned int largest_size = 32;         ///< see `neighborhood_size()`
 
   /// The number of neighbors: `size_factor` times the noise to the power of `size_exponent`, but in
-  /// the range from `smallest_size` to `largest_size`.
-  /// \param noise the standard deviation of the noise in multiples of the spacing
+  /// the range from `smallest_size` to `largest_size`. It is chosen for each part of the point set; there
+  /// are more neighbors where points lie in lines or columns, which so few do not make a surface.
+  /// \param noise the standard deviation of the noise in multiples of the spacing, both around the point
   unsigned int neighborhood_size(double noise) const
   {
     const double size = size_factor * std::pow(noise, size_exponent);

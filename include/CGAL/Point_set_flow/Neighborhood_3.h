@@ -14,12 +14,24 @@ namespace CGAL {
 namespace Point_set_flow {
 
 /// \ingroup PkgPointSetFlowCurvature
+/// What is known of the side of the surface on which a point was measured.
+enum class Side_knowledge : char {
+  UNKNOWN, ///< no normal is given
+  KNOWN,   ///< one is given, but those around the point may be random
+  TRUSTED  ///< the normals given around the point are consistent
+};
+
+/// \ingroup PkgPointSetFlowCurvature
 /// What is known of a surface around a point, besides the points.
 struct Surface_estimate_3 {
   const Vector_3* normals = nullptr; ///< one for each point, or null
   double noise = 0.;                 ///< the standard deviation of the noise
-  double spacing = 0.;               ///< the spacing of the point set
+  double spacing = 0.;               ///< the spacing around the point
   double time = 0.;                  ///< 0 in the first step of the flow, 1 in the last
+  const Vector_3* sides =
+      nullptr; ///< the given normals, null vectors where there are none; or null
+  const Side_knowledge* side_knowledge =
+      nullptr; ///< one for each point; null if no side is trusted
 };
 
 /// \ingroup PkgPointSetFlowCurvature
@@ -61,20 +73,53 @@ public:
   /// whether the normals of the points are known: from the second step on if the estimator declares
   /// `Uses_surface_estimate`, and then always in `directional_curvature()`
   bool has_normals() const { return m_surface.normals != nullptr; }
-  /// the unit normal of the point in the middle; its orientation is arbitrary
+  /// the unit normal of the point in the middle. Its orientation is that of the given one, and arbitrary if
+  /// there is none.
   /// \pre `has_normals()`
   const Vector_3& normal() const { return m_surface.normals[m_center]; }
   /// the unit normal of a neighbor
   /// \pre `has_normals()`
   const Vector_3& normal(std::size_t j) const { return m_surface.normals[m_neighbors[j]]; }
 
+  /// whether the side of the point is known and trusted, because the caller gave normals
+  bool is_sided() const
+  {
+    return m_surface.side_knowledge &&
+           m_surface.side_knowledge[m_center] == Side_knowledge::TRUSTED;
+  }
+  /// whether a neighbor is known to be on the opposite side, hence another sheet of the surface
+  /// \pre `is_sided()`
+  bool is_opposite(std::size_t j) const
+  {
+    const std::uint32_t i = m_neighbors[j];
+    if (m_surface.side_knowledge[i] == Side_knowledge::UNKNOWN)
+      return false;
+    if (has_normals()) // which are oriented as the given ones, and more accurate
+      return normal(j) * normal() < 0.;
+    return m_surface.sides[i] * m_surface.sides[m_center] < 0.;
+  }
+
   /// the standard deviation of the noise around the point, as estimated before the first step; 0
   /// unless the estimator declares `Uses_surface_estimate`
   double noise() const { return m_surface.noise; }
-  /// the spacing of the point set
+  /// the spacing around the point
   double spacing() const { return m_surface.spacing; }
   /// how far the flow has come: 0 in its first step, 1 in its last
   double time() const { return m_surface.time; }
+
+  /// \cond SKIP_IN_MANUAL
+  const Vector_3& side() const { return m_surface.sides[m_center]; }
+  std::uint32_t index(std::size_t j) const { return m_neighbors[j]; }
+  /// the same point with some of its neighbors, of which no side is known
+  Neighborhood_3 with_neighbors(const std::uint32_t* neighbors, std::size_t size) const
+  {
+    Neighborhood_3 part = *this;
+    part.m_neighbors = neighbors;
+    part.m_size = size;
+    part.m_surface.side_knowledge = nullptr;
+    return part;
+  }
+  /// \endcond
 
   /// \f$\sigma\f$ of the Gaussian of equation (3), a length
   double gaussian_width() const { return m_filter_width * m_radius; }

@@ -7,6 +7,7 @@
 #include <CGAL/Point_set_flow/Curvature_defaults.h>
 #include <CGAL/Point_set_flow/Neighborhood_3.h>
 #include <CGAL/Point_set_flow/Tangent_plane_3.h>
+#include <CGAL/Point_set_flow/internal/fitting/Same_side.h>
 #include <CGAL/Point_set_flow/internal/fitting/fit_tangent_plane.h>
 #include <CGAL/Point_set_flow/internal/fitting/plane_distances.h>
 #include <CGAL/tags.h>
@@ -30,7 +31,8 @@ namespace Point_set_flow {
 /// for features, in the end features must not be taken for noise. The normals come from the
 /// covariance, equation (1), with the same kind of weights.
 ///
-/// Without normals, in the first step, the weights are Gaussians of the distance alone.
+/// Without normals, in the first step, the weights are Gaussians of the distance alone. Neighbors that are
+/// known to be on the opposite side of the surface have no weight.
 ///
 /// \cgalModels{PointSetCurvature}
 class Tangent_plane_curvature {
@@ -56,6 +58,8 @@ public:
   /// Equation (1) with weights. The variation, equation (2), is what the noise does not explain.
   Tangent_plane_3 tangent_plane(const Neighborhood_3& neighborhood) const
   {
+    if (neighborhood.is_sided())
+      return tangent_plane_of_side(neighborhood);
     return neighborhood.has_normals() ? internal::fit_tangent_plane<true>(neighborhood)
                                       : internal::fit_tangent_plane<false>(neighborhood);
   }
@@ -64,7 +68,18 @@ public:
   /// \pre `neighborhood.has_normals()`
   double directional_curvature(const Neighborhood_3& neighborhood, const Tangent_plane_3&) const
   {
+    if (neighborhood.is_sided())
+      return internal::mean_plane_distance(internal::Same_side(neighborhood).neighborhood());
     return internal::mean_plane_distance(neighborhood);
+  }
+
+private:
+  Tangent_plane_3 tangent_plane_of_side(const Neighborhood_3& neighborhood) const
+  {
+    const internal::Same_side same(neighborhood);
+    if (same.neighborhood().size() >= 2)
+      return tangent_plane(same.neighborhood());
+    return {neighborhood.has_normals() ? neighborhood.normal() : neighborhood.side(), 0.};
   }
 };
 

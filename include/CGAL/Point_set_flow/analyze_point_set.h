@@ -16,7 +16,9 @@ namespace Point_set_flow {
    \ingroup PkgPointSetFlowFunctions
 
    analyzes a point set as `balanced_flow_smooth_point_set()` does, and reports what that function
-   would find and use, without moving any point.
+   would find and use, without moving any point. Noise, spacing, numbers of neighbors and \f$K\f$ are
+   found around each point; the report contains medians, and the smallest and the largest number of
+   neighbors.
 
    \tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag` or `Parallel_if_available_tag`
    \tparam PointRange is a model of `Range` with forward iterators. The value type of its iterator
@@ -25,7 +27,8 @@ namespace Point_set_flow {
    \param points input point range; may be empty
    \param k number of neighbors of each point, at least 2
    \param np an optional sequence of \ref bgl_namedparameters "Named Parameters": all of
-   `balanced_flow_smooth_point_set()`, with the same meaning, `noise` among them. Nothing is written.
+   `balanced_flow_smooth_point_set()`, with the same meaning, `noise`, `normal_map` and `scan_map` among
+   them. Nothing is written: the maps of points and normals need only be readable.
 
    \return the report; its movements, and the numbers of points that moved or did not, are 0. If the
    callback cancels, all its counts are 0, and its noise and its spacing are `NaN`.
@@ -33,7 +36,7 @@ namespace Point_set_flow {
    \throws std::invalid_argument if a coordinate is not finite or a parameter is out of its range
    \throws std::length_error if there are more than \f$2^{32}-1\f$ points
 
-   Complexity: that of sorting the points.
+   Complexity: \f$O(n \log n)\f$, that of building a kd-tree and of searching neighbors in it.
 */
 template <typename ConcurrencyTag, typename PointRange,
           typename NamedParameters = parameters::Default_named_parameters>

@@ -16,9 +16,16 @@ namespace Point_set_flow {
    estimates the noise and the spacing of a point set, and with them the number of neighbors that
    suits the default estimator of `balanced_flow_smooth_point_set()`.
 
-   The noise is the median deviation of about 1,000 neighborhoods from fitted quadrics. Of the
-   neighborhood sizes 12, 24, 48, 96 and 192 it takes the first whose radius is at least four
-   times the noise found with it: smaller ones cannot tell noise from structure.
+   Noise and spacing are estimated around one point of about 18, and their medians are returned. Where both
+   vary, these describe the point set, but `balanced_flow_smooth_point_set()` does not use them: it uses
+   the estimates around each point. If the caller of that function gives normals, its estimates also leave
+   out neighbors on the opposite side, and may be smaller.
+
+   The noise is the deviation of neighborhoods from fitted quadrics, pooled over the 64 nearest of these
+   points. Of the neighborhood sizes 12, 24, 48, 96 and 192 the first is used whose neighborhoods spread
+   over a surface rather than over lines or columns, and whose radius is at least four times the noise found
+   with it: smaller ones cannot tell noise from shape. From the two smallest, the deviation is
+   extrapolated to a neighborhood without shape.
 
    \tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag` or `Parallel_if_available_tag`
    \tparam PointRange is a model of `Range` with forward iterators. The value type of its iterator
@@ -28,12 +35,13 @@ namespace Point_set_flow {
    \param np an optional sequence of \ref bgl_namedparameters "Named Parameters": `point_map` and
    `geom_traits`, with the same meaning as for `balanced_flow_smooth_point_set()`
 
-   \return the estimates; noise and spacing are 0 if there are fewer than 13 distinct points
+   \return the estimates; noise and spacing are 0 if there are fewer than 13 distinct points, and the
+   noise is 0 if the neighborhoods do not spread over a surface
 
    \throws std::invalid_argument if a coordinate is not finite
    \throws std::length_error if there are more than \f$2^{32}-1\f$ points
 
-   Complexity: that of sorting the points.
+   Complexity: \f$O(n \log n)\f$, that of building a kd-tree and of searching neighbors in it.
 */
 template <typename ConcurrencyTag, typename PointRange,
           typename NamedParameters = parameters::Default_named_parameters>

@@ -21,6 +21,7 @@ namespace Point_set_flow {
   DEFINE(feature_strength_map)                                                                     \
   DEFINE(block_size)                                                                               \
   DEFINE(noise)                                                                                    \
+  DEFINE(scan_map)                                                                                 \
   DEFINE(smoothing_report)
 
 /// \cond SKIP_IN_MANUAL

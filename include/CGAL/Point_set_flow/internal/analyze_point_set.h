@@ -33,9 +33,8 @@ Smoothing_report analyze_point_set(const PointRange& points, const std::optional
   try {
     return loops.in_isolation([&] {
       Input input(maps, check, loops);
-      const Analyzed_points analyzed(std::move(input.reference), std::move(input.start),
-                                     input.constrained, std::move(input.noise), loops);
-      const Flow_plan plan(analyzed, flow, curvature, parameters, input.frame.unit, loops);
+      const Analyzed_points analyzed(std::move(input.points), loops);
+      const Flow_plan plan(analyzed, flow, curvature, parameters, input.frame.unit);
       loops.finish();
       return plan.report();
     });

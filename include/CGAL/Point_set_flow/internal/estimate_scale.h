@@ -26,8 +26,10 @@ Point_set_scale estimate_scale(const PointRange& points, const NamedParameters& 
   Loops<ConcurrencyTag> loops(std::function<bool(double)>(), stage_costs::analysis);
   return loops.in_isolation([&] {
     Frame frame;
-    const Analyzed_points analyzed(copy_reference(maps, frame, check, loops), {}, {}, {}, loops);
-    const double noise = analyzed.noise_map().noise(), spacing = analyzed.noise_map().spacing();
+    Input_points input;
+    input.reference = copy_reference(maps, frame, check, loops);
+    const Analyzed_points analyzed(std::move(input), loops);
+    const double noise = analyzed.scale_map().noise(), spacing = analyzed.scale_map().spacing();
     Point_set_scale scale;
     scale.noise = noise * frame.unit;
     scale.spacing = spacing * frame.unit;

@@ -14,6 +14,7 @@
 #include <CGAL/Point_set_flow/internal/noise/Analyzed_points.h>
 
 #include <cmath>
+#include <cstdint>
 #include <limits>
 #include <optional>
 #include <utility>
@@ -45,9 +46,8 @@ double smooth_point_set(PointRange& points, const std::optional<unsigned int>& k
   try {
     return loops.in_isolation([&] {
       Input input(maps, check, loops);
-      Analyzed_points analyzed(std::move(input.reference), std::move(input.start),
-                               input.constrained, std::move(input.noise), loops);
-      const Flow_plan plan(analyzed, flow, curvature, parameters, input.frame.unit, loops);
+      Analyzed_points analyzed(std::move(input.points), loops);
+      const Flow_plan plan(analyzed, flow, curvature, parameters, input.frame.unit);
       Smoothing_report report = plan.report();
 
       const Flow_result result =

@@ -73,6 +73,7 @@ public:
       is_given<NamedParameters, CGAL::internal_np::point_is_constrained_t>;
   static constexpr bool has_start = is_given<NamedParameters, internal_np::initial_point_map_t>;
   static constexpr bool has_noise_map = is_given_as_map<NamedParameters, internal_np::noise_t>;
+  static constexpr bool has_scans = is_given<NamedParameters, internal_np::scan_map_t>;
   static constexpr bool has_strength =
       is_given<NamedParameters, internal_np::feature_strength_map_t>;
 
@@ -85,8 +86,7 @@ public:
   Caller_maps(PointRange& points_, const NamedParameters& np_, const Argument_check& check)
       : points(points_), np(np_), point_map(find_point_map(points, np))
   {
-    if constexpr (!std::is_const<PointRange>::value)
-      normal_map = find_normal_map<Normal_map>(points, np);
+    normal_map = find_normal_map<Normal_map>(points, np);
     const auto check_size = [&](auto tag, const char* argument) {
       if constexpr (is_given<NamedParameters, decltype(tag)>)
         check_map_size(points, parameters::get_parameter(np, tag), argument, check);
@@ -96,6 +96,7 @@ public:
     check_size(internal_np::initial_point_map_t(), "initial_point_map");
     check_size(internal_np::feature_strength_map_t(), "feature_strength_map");
     check_size(internal_np::noise_t(), "noise");
+    check_size(internal_np::scan_map_t(), "scan_map");
     if (normal_map)
       check_map_size(points, *normal_map, "normal_map", check);
   }

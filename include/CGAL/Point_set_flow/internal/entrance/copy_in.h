@@ -6,6 +6,8 @@
 
 #include <CGAL/Point_set_flow/internal/entrance/Caller_maps.h>
 #include <CGAL/Point_set_flow/internal/entrance/Frame.h>
+#include <CGAL/Point_set_flow/internal/order/Input_points.h>
+#include <CGAL/Point_set_flow/internal/entrance/copy_layers.h>
 #include <CGAL/Point_set_flow/internal/entrance/copy_noise.h>
 
 #include <cmath>
@@ -63,28 +65,27 @@ Array<Point_3> copy_reference(const Maps& maps, Frame& frame, const Argument_che
 /// A private copy of what the caller gives, in the coordinates of the core.
 struct Input {
   Frame frame;
-  Array<Point_3> reference;      ///< \f$I\f$
-  Array<Point_3> start;          ///< \f$\chi\f$; empty if it is the reference
-  std::vector<char> constrained; ///< empty if no point is
-  Given_noise noise;
+  Input_points points;
 
   /// \pre there are points
   template <typename Maps, typename ConcurrencyTag>
   Input(const Maps& maps, const Argument_check& check, Loops<ConcurrencyTag>& loops)
   {
-    reference = copy_reference(maps, frame, check, loops);
+    points.reference = copy_reference(maps, frame, check, loops);
     if constexpr (Maps::has_constraints) {
       const auto map = parameters::get_parameter(maps.np, CGAL::internal_np::point_is_constrained);
       for (auto it = maps.points.begin(); it != maps.points.end(); ++it)
-        constrained.push_back(get(map, *it) ? 1 : 0);
+        points.constrained.push_back(get(map, *it) ? 1 : 0);
     }
     if constexpr (Maps::has_start) {
       const auto map = parameters::get_parameter(maps.np, internal_np::initial_point_map_t());
-      start =
+      points.start =
           copy_points<typename Maps::Kernel_point_3>(maps.points, map, "initial_point_map", check);
-      move_to_core(start, frame);
+      move_to_core(points.start, frame);
     }
-    noise = copy_noise(maps, frame, check);
+    points.noise = copy_noise(maps, frame, check);
+    points.sides = copy_sides(maps);
+    points.scans = copy_scans(maps);
   }
 };
 

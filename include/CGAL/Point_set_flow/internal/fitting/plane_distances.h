@@ -5,6 +5,7 @@
 #include <CGAL/license/Point_set_flow.h>
 
 #include <CGAL/Point_set_flow/internal/fitting/Plane_weights.h>
+#include <CGAL/Point_set_flow/internal/fitting/Same_side.h>
 
 #include <boost/config.hpp>
 
@@ -74,10 +75,16 @@ struct Distance_moments {
 
   /// The moments are in spacings, to keep fourth powers in the range of `double`.
   /// \pre the normals of the neighborhood are known, and the spacing is positive
+  Distance_moments(double second_, double fourth_) : second(second_), fourth(fourth_) {}
+
   explicit Distance_moments(const Neighborhood_3& neighborhood) : second(0.), fourth(0.)
   {
     if (neighborhood.size() < 2)
       return; // no plane
+    if (neighborhood.is_sided()) {
+      *this = Distance_moments(Same_side(neighborhood).neighborhood());
+      return;
+    }
 
     const Angle_weight angle(neighborhood.noise() / neighborhood.spacing(), 0.);
     const double width = neighborhood.gaussian_width();

@@ -9,6 +9,7 @@
 
 #include <Eigen/Dense>
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -32,20 +33,32 @@ inline double quadric_residual(const Array<Point_3>& points,
   e1 = e1 / std::sqrt(e1.squared_length());
   const Vector_3 e2 = cross_product(normal, e1);
 
-  const Eigen::Index m = Eigen::Index(neighbors.size());
-  Eigen::Matrix<double, Eigen::Dynamic, 6> terms(m, 6);
-  Eigen::VectorXd height(m);
-  for (Eigen::Index j = 0; j < m; ++j) {
-    const Vector_3 d = (points[neighbors[std::size_t(j)]] - neighborhood.center()) / radius;
-    const double x = d * e1, y = d * e2;
-    terms.row(j) << 1., x, y, x * x, x * y, y * y;
-    height[j] = d * normal;
+  // The normal equations, which are as good here: within a neighborhood the terms are about 1.
+  // sums[a][b] of x^a y^b, and with the height and its square
+  double sums[5][5] = {}, heights[3][3] = {}, squares = 0.;
+  for (const std::uint32_t j : neighbors) {
+    const Vector_3 d = (points[j] - neighborhood.center()) / radius;
+    const double dx = d * e1, dy = d * e2, h = d * normal;
+    const double x[] = {1., dx, dx * dx}, y[] = {1., dy, dy * dy};
+    for (int a = 0; a < 3; ++a)
+      for (int b = 0; a + b < 3; ++b)
+        heights[a][b] += x[a] * y[b] * h;
+    squares += h * h;
+    for (int a = 0; a < 5; ++a)
+      for (int b = 0; a + b < 5; ++b)
+        sums[a][b] += x[a / 2] * x[a - a / 2] * (y[b / 2] * y[b - b / 2]);
   }
-  // the normal equations, which are as good here: within a neighborhood the terms are about 1
-  const Eigen::Matrix<double, 6, 6> products = terms.transpose() * terms;
-  const Eigen::Matrix<double, 6, 1> heights = terms.transpose() * height;
-  const Eigen::VectorXd rest = height - terms * products.colPivHouseholderQr().solve(heights);
-  return radius * std::sqrt(rest.squaredNorm() / double(m - 6));
+  const int powers[6][2] = {{0, 0}, {1, 0}, {0, 1}, {2, 0}, {1, 1}, {0, 2}};
+  Eigen::Matrix<double, 6, 6> products;
+  Eigen::Matrix<double, 6, 1> right;
+  for (int i = 0; i < 6; ++i) {
+    right[i] = heights[powers[i][0]][powers[i][1]];
+    for (int j = 0; j < 6; ++j)
+      products(i, j) = sums[powers[i][0] + powers[j][0]][powers[i][1] + powers[j][1]];
+  }
+  const double explained = right.dot(products.ldlt().solve(right));
+  const double freedom = double(neighbors.size()) - 6.;
+  return radius * std::sqrt((std::max)(squares - explained, 0.) / freedom);
 }
 
 } // namespace internal

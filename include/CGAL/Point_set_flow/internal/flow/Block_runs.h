@@ -55,7 +55,7 @@ double total_cost(const Flow_parameters& parameters, const Flow& flow, const Cur
                         : uses_prefilter(flow) ? costs::prefilter + costs::planes
                                                : 0.;
   return costs::analysis + costs::graph +
-         (uses_surface_estimate ? costs::noise + costs::sheets + costs::shrink : 0.) +
+         (uses_surface_estimate ? costs::sheets + costs::shrink : 0.) +
          steps * (planes + costs::step) +
          (int(wanted.normals) + int(wanted.feature_strength)) * costs::planes;
 }
@@ -83,7 +83,7 @@ public:
     const std::size_t n = points.buffer().size();
     if (n <= block_size) {
       m_loops.begin_stage(stage_costs::graph);
-      Block all = take_all(points.buffer(), points.tree(), m_plan.search, m_loops);
+      Block all = take_all(points.buffer(), points.part_of(), points.tree(), m_plan.search, m_loops);
       points.forget_points();
       run(all);
     }
@@ -100,7 +100,7 @@ private:
   void run_in_turn(const Analyzed_points& points, std::size_t block_size)
   {
     const std::size_t n = points.buffer().size();
-    Block_cutter cut(points.buffer(), points.tree(), m_plan.search);
+    Block_cutter cut(points.buffer(), points.part_of(), points.tree(), m_plan.search);
     for (std::size_t begin = 0; begin < n; begin += block_size) {
       std::vector<std::uint32_t> interior((std::min)(block_size, n - begin));
       std::iota(interior.begin(), interior.end(), static_cast<std::uint32_t>(begin));

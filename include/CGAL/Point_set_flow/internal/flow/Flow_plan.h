@@ -9,13 +9,13 @@
 #include <CGAL/Point_set_flow/internal/fitting/median.h>
 #include <CGAL/Point_set_flow/internal/flow/Flow_parameters.h>
 #include <CGAL/Point_set_flow/internal/flow/model_traits.h>
-#include <CGAL/Point_set_flow/internal/flow/prefilter.h>
-#include <CGAL/Point_set_flow/internal/flow/tangent_planes.h>
-#include <CGAL/Point_set_flow/internal/neighbors/Block_cutter.h>
+#include <CGAL/Point_set_flow/internal/neighbors/Surface.h>
 #include <CGAL/Point_set_flow/internal/noise/Analyzed_points.h>
-#include <CGAL/Point_set_flow/internal/noise/Noise_levels.h>
+
+#include <CGAL/number_type_config.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <limits>
 #include <vector>
@@ -24,33 +24,32 @@ namespace CGAL {
 namespace Point_set_flow {
 namespace internal {
 
-/// What is decided once, for the whole point set, from the parameters and from samples of the data.
+/// What is decided before the flow runs, from the parameters and around each sample of the data.
 class Flow_plan {
 public:
-  const Noise_map& noise_map;
-  const Noise_levels noise;
   const bool uses_surface_estimate; ///< whether the estimator does
   /// whether the diffusivity is that of the prefiltered surface. An estimator that knows the noise
   /// needs no filter: its variation is what the noise does not explain.
   const bool is_prefiltered;
-  const bool is_k_given;
+  const bool is_k_given, is_noise_given;
   const Curvature_defaults defaults;
   const unsigned int number_of_iterations, update_period;
   const double step_length;
   const std::size_t number_of_points, number_of_distinct_points;
   const double unit; ///< the length of 1 in the core, in the unit of the data
-  double filter_width;
+  const double filter_width;
+  Diffusivity feature_diffusivity =
+      Diffusivity(0.); ///< for the feature strength, whatever the noise
+  std::vector<Local_parameters> parts;
   Search_options search;
-  Diffusivity diffusivity = Diffusivity(0.);
-  Diffusivity feature_diffusivity = diffusivity; ///< for the feature strength, whatever the noise
 
-  template <typename Flow, typename Curvature, typename ConcurrencyTag>
-  Flow_plan(const Analyzed_points& points, const Flow& flow, const Curvature& curvature,
-            const Flow_parameters& parameters, double unit_, Loops<ConcurrencyTag>& loops)
-      : noise_map(points.noise_map()), noise(points.buffer().noise, noise_map),
-        uses_surface_estimate(Uses_surface_estimate<Curvature>::value),
+  template <typename Flow, typename Curvature>
+  Flow_plan(const Analyzed_points& points, const Flow& flow, const Curvature&,
+            const Flow_parameters& parameters, double unit_)
+      : uses_surface_estimate(Uses_surface_estimate<Curvature>::value),
         is_prefiltered(uses_prefilter(flow) && !uses_surface_estimate),
-        is_k_given(parameters.k.has_value()), defaults(Defaults_of<Curvature>::get()),
+        is_k_given(parameters.k.has_value()), is_noise_given(points.buffer().noise.is_given()),
+        defaults(Defaults_of<Curvature>::get()),
         number_of_iterations(
             parameters.number_of_iterations.value_or(defaults.number_of_iterations)),
         update_period(parameters.update_period),
@@ -59,18 +58,22 @@ public:
         number_of_distinct_points(points.buffer().size()), unit(unit_),
         filter_width(parameters.filter_width.value_or(defaults.filter_width))
   {
-    plan_search(parameters);
-    if (parameters.feature_threshold)
-      diffusivity = feature_diffusivity = Diffusivity(*parameters.feature_threshold);
-    else {
-      const double above_noise = 2.; // features exceed the variation that noise causes anywhere
-      const double noise_variation = above_noise * typical_variation(points, curvature, loops);
-      const double crease =
-          crease_variation(parameters.sharpness_angle.value_or(defaults.sharpness_angle));
-      diffusivity = Diffusivity::half_at((std::max)(crease, noise_variation));
-      feature_diffusivity = Diffusivity::half_at(crease);
+    const double crease =
+        crease_variation(parameters.sharpness_angle.value_or(defaults.sharpness_angle));
+    feature_diffusivity = parameters.feature_threshold ? Diffusivity(*parameters.feature_threshold)
+                                                       : Diffusivity::half_at(crease);
+    for (std::size_t i = 0; i < points.scale_map().scales().size(); ++i) {
+      Local_parameters part = plan_size(points, i, parameters);
+      part.diffusivity = parameters.feature_threshold
+                             ? feature_diffusivity
+                             : Diffusivity::half_at((std::max)(crease, 2. * noise_variation(part)));
+      parts.push_back(part);
     }
+    plan_search(points, parameters);
   }
+
+  Flow_plan(const Flow_plan&) = delete; // the state of the flow refers to the parts
+  Flow_plan& operator=(const Flow_plan&) = delete;
 
   /// How many rings of neighbors around a point make the halo on which its result depends.
   std::size_t number_of_rings() const
@@ -86,66 +89,95 @@ public:
     Smoothing_report report;
     report.number_of_points = number_of_points;
     report.number_of_distinct_points = number_of_distinct_points;
-    report.noise = noise.typical * unit;
-    report.spacing = noise_map.spacing() * unit;
-    report.fewest_neighbors = report.most_neighbors = static_cast<unsigned int>(search.k);
-    if (uses_surface_estimate && !is_k_given) {
-      report.fewest_neighbors = suited_size(noise.least);
-      report.most_neighbors = suited_size(noise.greatest);
-    }
+    report.noise = median_of([](const Local_parameters& part) { return part.noise; }) * unit;
+    report.spacing = median_of([](const Local_parameters& part) { return part.spacing; }) * unit;
+    report.feature_threshold = median_of(
+        [](const Local_parameters& part) { return part.diffusivity.feature_threshold(); });
+    const auto sizes = std::minmax_element(
+        parts.begin(), parts.end(),
+        [](const Local_parameters& a, const Local_parameters& b) { return a.size < b.size; });
     const auto others = static_cast<unsigned int>(number_of_distinct_points - 1);
-    report.fewest_neighbors = (std::min)(report.fewest_neighbors, others);
-    report.most_neighbors = (std::min)(report.most_neighbors, others);
+    report.fewest_neighbors = (std::min)(sizes.first->size, others);
+    report.most_neighbors = (std::min)(sizes.second->size, others);
     report.number_of_iterations = number_of_iterations;
     report.filter_width = filter_width;
-    report.feature_threshold = diffusivity.feature_threshold();
     return report;
   }
 
 private:
-  unsigned int suited_size(double level) const
+  template <typename Value>
+  double median_of(const Value& value) const
   {
-    const double spacing = noise_map.spacing();
-    return defaults.neighborhood_size(spacing > 0. ? level / spacing : 0.);
+    std::vector<double> values;
+    for (const Local_parameters& part : parts)
+      values.push_back(value(part));
+    return median(values);
   }
 
-  void plan_search(const Flow_parameters& parameters)
+  /// The noise around a sample, and the neighborhoods that suit it
+  Local_parameters plan_size(const Analyzed_points& points, std::size_t i,
+                             const Flow_parameters& parameters) const
   {
-    const unsigned int suited = suited_size(
-        uses_surface_estimate ? (std::max)(noise.typical, noise.greatest) : noise.typical);
-    search.k = parameters.k.value_or(suited);
+    const Scale_map& map = points.scale_map();
+    const Local_scale& scale = map.scales()[i];
+    Local_parameters part;
+    part.noise = points.buffer().noise.of(map.sites()[i]).value_or(scale.noise);
+    part.spacing = scale.spacing;
+    part.least_size = scale.least_size;
+    part.trusts_sides = scale.trusts_sides;
+    part.of_scans = scale.of_scans;
+    part.size = defaults.neighborhood_size(part.spacing > 0. ? part.noise / part.spacing : 0.);
+    // where points lie in lines or columns, a little more than what makes them a surface
+    if (scale.least_size > Residuals::sizes.front())
+      part.size = (std::max)(part.size, scale.least_size + scale.least_size / 4);
+    part.filter_width = filter_width;
+    if (parameters.k) {
+      // too few neighbors for the noise are weighted more evenly
+      if (uses_surface_estimate && !parameters.filter_width && *parameters.k < part.size)
+        part.filter_width *= double(part.size) / double(*parameters.k);
+      part.size = *parameters.k;
+    }
+    return part;
+  }
+
+  void plan_search(const Analyzed_points& points, const Flow_parameters& parameters)
+  {
+    if (parameters.k)
+      search.k = *parameters.k;
+    else {
+      for (const Local_parameters& part : parts)
+        search.k_of_parts.push_back(part.size);
+      search.part_of = &points.part_of();
+    }
     if (parameters.neighbor_radius > 0.) // not 0 in the core, which would be no limit
       search.radius =
           (std::max)(parameters.neighbor_radius / unit, (std::numeric_limits<double>::min)());
-    // too few neighbors for the noise are weighted more evenly
-    if (uses_surface_estimate && !parameters.filter_width && search.k < suited)
-      filter_width *= double(suited) / double(search.k);
   }
 
-  /// The median variation of the surface in the first step, over a sample of points
-  template <typename Curvature, typename ConcurrencyTag>
-  double typical_variation(const Analyzed_points& points, const Curvature& curvature,
-                           Loops<ConcurrencyTag>& loops) const
+  /// The variation, Eq. (2), that noise causes on a plane, whose points fill a disc.
+  double noise_variation(const Local_parameters& part) const
   {
-    const std::size_t rings = is_prefiltered ? 2 : 1;
-    Block_cutter cut(points.buffer(), points.tree(), search);
-    Block block = cut(noise_map.samples().sites(), rings, loops);
-    Surface_state state;
-    state.spacing = noise_map.spacing();
-    if (uses_surface_estimate)
-      state.noise = noise_at_points(block, noise_map, loops);
-    if (is_prefiltered) {
-      Array<Point_3> filtered;
-      prefilter(block.current_points(), block.graph, filter_width, filtered, loops);
-      block.points.swap(filtered);
-    }
-    Array<double> variation(block.reference.size());
-    find_tangent_planes({block.current_points(), block.graph, filter_width, state}, curvature,
-                        nullptr, variation, loops);
-    std::vector<double> of_samples;
-    for (std::size_t i = 0; i < block.interior_size(); ++i)
-      of_samples.push_back(variation[block.interior_place(i)]);
-    return of_samples.empty() ? 0. : median(of_samples);
+    if (uses_surface_estimate || !(part.spacing > 0.))
+      return 0.;
+    const double q = part.noise / part.spacing;
+    double variance = q * q;
+    if (is_prefiltered)
+      variance *= left_by_prefilter(part);
+    const double squared_radius = double(part.size) / CGAL_PI; // in spacings, as is the variance
+    return variance / (squared_radius / 2. + variance);
+  }
+
+  /// The share of the variance of noise that the Gaussian leaves.
+  static double left_by_prefilter(const Local_parameters& part)
+  {
+    const double squared_radius = double(part.size) / CGAL_PI;
+    const double squared_width = part.filter_width * part.filter_width * squared_radius;
+    if (!(squared_width > 0.))
+      return 1.;
+    const double x = squared_radius / squared_width;
+    const double weights = 1. + 2. * CGAL_PI * squared_width * (1. - std::exp(-x / 2.));
+    const double squares = 1. + CGAL_PI * squared_width * (1. - std::exp(-x));
+    return squares / (weights * weights);
   }
 };
 

@@ -7,6 +7,9 @@
 #include <CGAL/Point_set_flow/Covariance_curvature.h>
 #include <CGAL/Point_set_flow/flows.h>
 #include <CGAL/Point_set_flow/internal/flow/Flow_plan.h>
+#include <CGAL/Point_set_flow/internal/flow/prefilter.h>
+#include <CGAL/Point_set_flow/internal/flow/tangent_planes.h>
+#include <CGAL/Point_set_flow/internal/neighbors/Block_cutter.h>
 #include <CGAL/Point_set_flow/internal/flow/Rest_reason.h>
 #include <CGAL/Point_set_flow/internal/noise/two_sheets.h>
 
@@ -14,6 +17,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <utility>
 
 namespace CGAL {
 namespace Point_set_flow {
@@ -38,13 +42,21 @@ class Flow_run {
 public:
   Flow_run(const Flow_plan& plan, Block& block, const Flow& flow, const Curvature& curvature,
            Loops<ConcurrencyTag>& loops)
-      : m_plan(plan), m_block(block), m_flow(flow), m_curvature(curvature), m_loops(loops)
+      : m_plan(plan), m_block(block), m_flow(flow), m_curvature(curvature),
+        m_loops(loops), m_state{{}, {}, {}, plan.parts, 0., {}, {}}
   {
-    m_state.spacing = plan.noise_map.spacing();
-    if (uses_surface_estimate) {
-      loops.begin_stage(stage_costs::noise);
-      m_state.noise = noise_at_points(block, plan.noise_map, loops);
+    m_state.part_of = std::move(block.part_of);
+    if (!uses_surface_estimate)
+      return;
+    if (block.noise.is_given())
+      m_state.noise = block.noise.take(block.reference.size());
+    else {
+      m_state.noise.reserve(block.reference.size());
+      for (const std::uint32_t part : m_state.part_of)
+        m_state.noise.push_back(plan.parts[part].noise);
     }
+    trust_sides();
+    block.sides = Array<Vector_3>(); // memory
   }
 
   /// All steps.
@@ -94,8 +106,8 @@ public:
       return Rest_reason::CONSTRAINED;
     if (m_plan.number_of_iterations == 0 || m_plan.step_length == 0.)
       return Rest_reason::OTHER;
-    if (m_block.graph.size(i) < 2)
-      return Rest_reason::TOO_FEW_NEIGHBORS;
+    if (m_block.graph.size(i) < 2 || is_isolated(i))
+      return Rest_reason::ISOLATED;
     if (uses_surface_estimate && !(m_state.noise[i] > 0.))
       return Rest_reason::NO_NOISE;
     return Rest_reason::OTHER;
@@ -109,10 +121,11 @@ public:
     Array<double> variation(m_block.points.size());
     // Without noise, near neighbors are more informative, and the strict weights of the last step
     // would only reproduce the normals of the step before.
-    const double width = uses_surface_estimate ? .5 * m_plan.filter_width : m_plan.filter_width;
+    const double narrowing = uses_surface_estimate ? .5 : 1.;
     m_state.time = 0.;
     m_loops.begin_stage(stage_costs::planes);
-    find_tangent_planes(surface(m_block.points, width), m_curvature, &normals, variation, m_loops);
+    find_tangent_planes(surface(m_block.points, narrowing), m_curvature, &normals, variation,
+                        m_loops);
     return normals;
   }
 
@@ -122,24 +135,42 @@ public:
   {
     Array<double> strength(m_block.points.size());
     m_loops.begin_stage(stage_costs::planes);
-    find_tangent_planes(surface(m_block.points, m_plan.filter_width), Covariance_curvature(),
-                        nullptr, strength, m_loops);
+    find_tangent_planes(surface(m_block.points), Covariance_curvature(), nullptr, strength,
+                        m_loops);
     for (double& x : strength)
       x = 1. - m_plan.feature_diffusivity(x);
     return strength;
   }
 
 private:
-  Surface surface(const Array<Point_3>& points, double filter_width) const
+  /// Takes the given sides where they are trusted somewhere.
+  void trust_sides()
   {
-    return {points, m_block.graph, filter_width, m_state};
+    if (m_block.sides.empty())
+      return;
+    bool is_any_trusted = false;
+    for (std::size_t i = 0; i < m_block.sides.size(); ++i) {
+      const bool is_trusted = m_state.parameters(i).trusts_sides;
+      m_state.side_knowledge.push_back(m_block.sides[i] == NULL_VECTOR ? Side_knowledge::UNKNOWN
+                                       : is_trusted                    ? Side_knowledge::TRUSTED
+                                                                       : Side_knowledge::KNOWN);
+      is_any_trusted = is_any_trusted || is_trusted;
+    }
+    if (is_any_trusted)
+      m_state.sides = std::move(m_block.sides);
+    else
+      m_state.side_knowledge.clear();
+  }
+
+  Surface surface(const Array<Point_3>& points, double narrowing = 1.) const
+  {
+    return {points, m_block.graph, m_state, narrowing};
   }
 
   void find_planes(const Array<Point_3>& points, Array<Vector_3>* normals)
   {
     m_loops.begin_stage(stage_costs::planes);
-    find_tangent_planes(surface(points, m_plan.filter_width), m_curvature, normals, m_variation,
-                        m_loops);
+    find_tangent_planes(surface(points), m_curvature, normals, m_variation, m_loops);
   }
 
   /// Allocates the moving points when they are first needed, to save memory.
@@ -161,24 +192,33 @@ private:
   {
     m_loops.begin_stage(stage_costs::sheets, sheet_loops);
     const Array<std::uint32_t> sizes =
-        fit_sheets(surface(m_block.current_points(), m_plan.filter_width), m_plan.defaults,
-                   m_state.noise, m_plan.noise.is_given, m_loops);
+        fit_sheets(surface(m_block.current_points()), m_plan.defaults, m_state.noise,
+                   m_plan.is_noise_given, m_loops);
     if (!m_plan.is_k_given) {
       m_loops.begin_stage(stage_costs::shrink);
       m_block.graph.shrink(m_block.reference, sizes, m_loops);
     }
   }
 
+  bool is_isolated(std::size_t i) const
+  {
+    // most neighborhoods are too small for that: a look at the neighbors' would cost more
+    const double spacing = m_state.parameters(i).spacing, radius = m_block.graph.radius(i);
+    return radius * radius > double(m_block.graph.size(i)) * spacing * spacing &&
+           m_block.graph.is_isolated(i);
+  }
+
   /// One explicit step: \f$u \leftarrow u + s\,\partial u / \partial t\f$ for all points at once, so
   /// that the result does not depend on the order of the points or on threads.
   void step()
   {
-    const Surface before = surface(m_before, m_plan.filter_width);
+    const Surface before = surface(m_before);
     m_loops.begin_stage(stage_costs::step);
     m_loops.for_each_chunk(before.size(), [&](std::size_t begin, std::size_t end) {
       for (std::size_t i = begin; i < end; ++i) {
         m_block.points[i] = m_before[i];
-        if (m_block.constrained.empty() || !m_block.constrained[i])
+        const bool is_constrained = !m_block.constrained.empty() && m_block.constrained[i];
+        if (!is_constrained && !is_isolated(i))
           m_block.points[i] = m_before[i] + motion(before, i) * (m_plan.step_length / m_plan.unit);
       }
     });
@@ -197,7 +237,7 @@ private:
     return m_flow({plane.normal, curvature * m_plan.unit, plane.variation,
                    m_plan.is_prefiltered ? m_variation[i] : plane.variation,
                    (m_block.reference[i] - m_before[i]) * m_plan.unit},
-                  m_plan.diffusivity);
+                  m_state.parameters(i).diffusivity);
   }
 };
 

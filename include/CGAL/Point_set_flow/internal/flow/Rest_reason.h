@@ -13,7 +13,7 @@ namespace Point_set_flow {
 namespace internal {
 
 /// Why a point did not move, if it did not. One byte: there is one for each point.
-enum class Rest_reason : unsigned char { CONSTRAINED, TOO_FEW_NEIGHBORS, NO_NOISE, OTHER };
+enum class Rest_reason : unsigned char { CONSTRAINED, ISOLATED, NO_NOISE, OTHER };
 
 /// Where the report counts the points that did not move for that reason
 inline std::size_t& count_of(Smoothing_report& report, Rest_reason reason)
@@ -21,7 +21,7 @@ inline std::size_t& count_of(Smoothing_report& report, Rest_reason reason)
   switch (reason) {
   case Rest_reason::CONSTRAINED:
     return report.number_of_constrained_points;
-  case Rest_reason::TOO_FEW_NEIGHBORS:
+  case Rest_reason::ISOLATED:
     return report.number_of_isolated_points;
   case Rest_reason::NO_NOISE:
     return report.number_of_points_without_noise;

@@ -25,6 +25,8 @@ struct Block {
   Neighbor_graph graph;
   std::vector<std::uint32_t> interior; ///< without the halo; empty if there is none
   Given_noise noise;                   ///< of each point, if the caller gives it
+  Array<std::uint32_t> part_of;        ///< the part of the point set that each point belongs to
+  Array<Vector_3> sides;               ///< the given ones; empty if none is known
 
   const Array<Point_3>& current_points() const { return points.empty() ? reference : points; }
   std::size_t interior_size() const
@@ -36,8 +38,8 @@ struct Block {
 
 /// All points, which are taken from the buffer, in one block.
 template <typename ConcurrencyTag>
-Block take_all(Point_buffer& buffer, const Neighbor_tree& tree, const Search_options& search,
-               Loops<ConcurrencyTag>& loops)
+Block take_all(Point_buffer& buffer, Array<std::uint32_t>& part_of, const Neighbor_tree& tree,
+               const Search_options& search, Loops<ConcurrencyTag>& loops)
 {
   Neighbor_graph graph(tree, search, loops);
   return {std::move(buffer.start),
@@ -45,7 +47,9 @@ Block take_all(Point_buffer& buffer, const Neighbor_tree& tree, const Search_opt
           std::move(buffer.constrained),
           std::move(graph),
           {},
-          std::move(buffer.noise)};
+          std::move(buffer.noise),
+          std::move(part_of),
+          std::move(buffer.sides)};
 }
 
 } // namespace internal

@@ -26,12 +26,15 @@ class Block_cutter {
 
   const Point_buffer& m_buffer;
   const Neighbor_tree& m_tree; // of the reference
-  const Search_options m_search;
+  const Array<std::uint32_t>& m_part_of;
+  const Search_options& m_search;
   std::vector<std::uint32_t> m_place; // of the sites in the block
 
 public:
-  Block_cutter(const Point_buffer& buffer, const Neighbor_tree& tree, const Search_options& search)
-      : m_buffer(buffer), m_tree(tree), m_search(search), m_place(buffer.size(), nowhere)
+  Block_cutter(const Point_buffer& buffer, const Array<std::uint32_t>& part_of,
+               const Neighbor_tree& tree, const Search_options& search)
+      : m_buffer(buffer), m_tree(tree), m_part_of(part_of), m_search(search),
+        m_place(buffer.size(), nowhere)
   {}
 
   /// \param interior the sites of the block
@@ -49,13 +52,17 @@ public:
     for (std::size_t i = 0; i < sorted.size(); ++i)
       m_place[sorted[i]] = static_cast<std::uint32_t>(i);
 
-    Block block = {{}, {}, {}, graph.renumbered(sites, m_place), {}, m_buffer.noise.of(sorted)};
+    Block block = {{}, {}, {}, graph.renumbered(sites, m_place), {}, m_buffer.noise.of(sorted),
+                   {}, {}};
     for (const std::uint32_t site : sorted) {
       if (!m_buffer.start.empty())
         block.points.push_back(m_buffer.start[site]);
       block.reference.push_back(m_buffer.reference[site]);
+      block.part_of.push_back(m_part_of[site]);
       if (!m_buffer.constrained.empty())
         block.constrained.push_back(m_buffer.constrained[site]);
+      if (!m_buffer.sides.empty())
+        block.sides.push_back(m_buffer.sides[site]);
     }
     for (const std::uint32_t site : interior)
       block.interior.push_back(m_place[site]);
@@ -72,11 +79,11 @@ private:
   {
     for (const std::uint32_t site : sites)
       m_place[site] = 0;
-    Neighbor_graph graph(m_tree, m_search.k);
+    Neighbor_graph graph;
     std::size_t begin = 0;
     for (std::size_t ring = 0; ring < rings && begin < sites.size(); ++ring) {
       const std::size_t end = sites.size();
-      graph.add(m_tree, sites.data() + begin, sites.data() + end, m_search.radius, loops);
+      graph.add(m_tree, sites.data() + begin, sites.data() + end, m_search, loops);
       for (std::size_t i = begin; i < end; ++i)
         for (std::size_t j = 0; j < graph.size(i); ++j) {
           const std::uint32_t neighbor = graph.neighbors(i)[j];

@@ -6,6 +6,7 @@
 
 #include <CGAL/Point_set_flow/internal/neighbors/Candidates.h>
 #include <CGAL/Point_set_flow/internal/neighbors/Neighbor_query.h>
+#include <CGAL/Point_set_flow/internal/neighbors/Search_options.h>
 
 #include <Eigen/Core>
 
@@ -20,16 +21,17 @@ namespace CGAL {
 namespace Point_set_flow {
 namespace internal {
 
-/// One thread's search for the `k` nearest neighbors of many points that follow each other in space.
+/// One thread's search for the nearest neighbors of many points that follow each other in space.
 ///
 /// A few of them at a time have nearly the same neighbors: what is near to their box is collected
 /// once, and the nearest of each point are chosen from that.
 class Group_search {
-  static constexpr std::size_t group_size = 8;
+  static constexpr std::size_t group_size = 32;
 
   const Neighbor_tree& m_tree;
-  const std::size_t m_k;
+  const Search_options& m_options;
   const double m_largest; // no neighbor is farther than this
+  std::size_t m_k = 0;    // of the point at hand
   double m_radius = -1.;  // of the neighborhood before; unknown at first
   Candidates m_candidates;
   Eigen::ArrayXd m_squared_distance; // of the candidates
@@ -43,10 +45,9 @@ class Group_search {
   std::vector<std::uint32_t> m_found;
 
 public:
-  /// \param radius the distance beyond which there are no neighbors, 0 for no limit
-  Group_search(const Neighbor_tree& tree, std::size_t k, double radius)
-      : m_tree(tree), m_k(k),
-        m_largest(radius > 0. ? radius : (std::numeric_limits<double>::infinity)()),
+  Group_search(const Neighbor_tree& tree, const Search_options& options)
+      : m_tree(tree), m_options(options),
+        m_largest(options.radius > 0. ? options.radius : (std::numeric_limits<double>::infinity)()),
         m_candidates(tree)
   {}
 
@@ -58,13 +59,14 @@ public:
   {
     const Array<Point_3>& points = m_tree.points();
     while (first != last) {
+      change_k(*first);
       if (m_radius < 0.)
         m_radius = radius_of(*first);
       // a group ends where the next point is not near, to keep its box small
       Iterator end = first;
       m_candidates.start_box(points[*first]);
       for (std::size_t n = 0; n < group_size && end != last; ++n, ++end)
-        if (!m_candidates.grow_box(points[*end], 2. * m_radius))
+        if (most_neighbors(*end) != m_k || !m_candidates.grow_box(points[*end], 2. * m_radius))
           break;
       // A ball with that many points belongs to a sparse place beside a dense one: there, each point
       // is better searched alone.
@@ -84,6 +86,21 @@ public:
   }
 
 private:
+  std::size_t most_neighbors(std::size_t i) const
+  {
+    return (std::min)(m_options.k_of(i), m_tree.points().size() - 1);
+  }
+
+  /// The points of a group have as many neighbors each.
+  void change_k(std::size_t i)
+  {
+    const std::size_t k = most_neighbors(i);
+    // the number of points in a ball on a surface grows with its squared radius
+    if (m_radius >= 0. && k != m_k)
+      m_radius *= std::sqrt(double(k) / double(m_k));
+    m_k = k;
+  }
+
   double radius_of(std::size_t i) const
   {
     Neighbor_query query(m_tree, m_k); // exact, and slow
@@ -111,8 +128,11 @@ private:
     // beyond the reach of the candidates is known
     const double likely = 1.15 * m_radius, reach = m_candidates.reach();
     if (!(likely < reach && gather(likely * likely) >= m_k) && gather(reach * reach) < m_k &&
-        reach < m_largest && m_candidates.size() < m_tree.points().size())
-      return false;
+        reach < m_largest) {
+      if (m_candidates.size() < m_tree.points().size())
+        return false;
+      gather(m_largest * m_largest); // all points are candidates
+    }
     keep_nearest(i);
     return true;
   }

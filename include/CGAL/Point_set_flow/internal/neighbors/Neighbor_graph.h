@@ -23,55 +23,74 @@ namespace CGAL {
 namespace Point_set_flow {
 namespace internal {
 
+/// Where the neighbors of each point begin. There may be more than \f$2^{32}\f$ of them, but not of
+/// a few points.
+class Neighbor_offsets {
+  static constexpr std::size_t few = 64;
+  Array<std::size_t> m_bases; // of the first of a few points
+  Array<std::uint32_t> m_beyond_base;
+
+public:
+  void reserve(std::size_t n)
+  {
+    m_bases.reserve(n / few + 1);
+    m_beyond_base.reserve(n);
+  }
+  void push_back(std::size_t offset)
+  {
+    if (m_beyond_base.size() % few == 0)
+      m_bases.push_back(offset);
+    m_beyond_base.push_back(static_cast<std::uint32_t>(offset - m_bases.back()));
+  }
+  std::size_t operator[](std::size_t i) const { return m_bases[i / few] + m_beyond_base[i]; }
+};
+
 /// The nearest neighbors of all points, in one flat array.
 class Neighbor_graph {
-  std::size_t m_stride;
-  Array<std::uint32_t> m_neighbors; // m_stride entries for each point
-  Array<std::uint32_t> m_sizes;     // how many of them count
-  Array<double> m_radii;            // the distance of the farthest neighbor
-
-  explicit Neighbor_graph(std::size_t stride) : m_stride(stride) {}
+  Array<std::uint32_t> m_neighbors;
+  Neighbor_offsets m_offsets;   // where those of each point begin
+  Array<std::uint32_t> m_sizes; // how many of them count
+  Array<double> m_radii;        // the distance of the farthest neighbor
 
 public:
   /// A graph without points yet
-  Neighbor_graph(const Neighbor_tree& tree, std::size_t k)
-      : m_stride(tree.points().empty() ? 0 : (std::min)(k, tree.points().size() - 1))
-  {}
+  Neighbor_graph() = default;
 
   template <typename ConcurrencyTag>
   Neighbor_graph(const Neighbor_tree& tree, const Search_options& search,
                  Loops<ConcurrencyTag>& loops)
-      : Neighbor_graph(tree, search.k)
   {
     typedef boost::counting_iterator<std::size_t> Site;
-    add(tree, Site(0), Site(tree.points().size()), search.radius, loops);
+    add(tree, Site(0), Site(tree.points().size()), search, loops);
   }
 
   /// Adds points of the tree, which follow each other in space, with their neighbors.
   template <typename ConcurrencyTag, typename Iterator>
-  void add(const Neighbor_tree& tree, Iterator first, Iterator last, double radius,
+  void add(const Neighbor_tree& tree, Iterator first, Iterator last, const Search_options& search,
            Loops<ConcurrencyTag>& loops)
   {
     const std::size_t before = m_radii.size(), count = std::size_t(last - first);
-    if (m_stride == 0) {
-      m_sizes.resize(before + count, 0);
-      m_radii.resize(before + count, 0.);
-      return;
+    const std::size_t others = tree.points().empty() ? 0 : tree.points().size() - 1;
+    m_sizes.resize(before + count, 0);
+    m_radii.resize(before + count, 0.);
+    std::size_t total = m_neighbors.size();
+    m_offsets.reserve(before + count);
+    for (std::size_t i = 0; i < count; ++i) {
+      m_offsets.push_back(total);
+      total += (std::min)(search.k_of(first[std::ptrdiff_t(i)]), others);
     }
-    m_neighbors.resize(offset(before + count, m_stride));
-    m_sizes.resize(before + count);
-    m_radii.resize(before + count);
-    loops.for_each_chunk(count, [&](std::size_t begin, std::size_t end) {
-      Group_search search(tree, m_stride, radius);
+    m_neighbors.resize(total);
+    loops.for_each_chunk(others == 0 ? 0 : count, [&](std::size_t begin, std::size_t end) {
+      Group_search find(tree, search);
       std::size_t i = before + begin;
-      search(first + std::ptrdiff_t(begin), first + std::ptrdiff_t(end),
-             [&](const std::vector<std::uint32_t>& found, double farthest) {
-               std::copy(found.begin(), found.end(),
-                         m_neighbors.begin() + std::ptrdiff_t(offset(i, m_stride)));
-               m_sizes[i] = static_cast<std::uint32_t>(found.size());
-               m_radii[i] = farthest;
-               ++i;
-             });
+      find(first + std::ptrdiff_t(begin), first + std::ptrdiff_t(end),
+           [&](const std::vector<std::uint32_t>& found, double farthest) {
+             std::copy(found.begin(), found.end(),
+                       m_neighbors.begin() + std::ptrdiff_t(m_offsets[i]));
+             m_sizes[i] = static_cast<std::uint32_t>(found.size());
+             m_radii[i] = farthest;
+             ++i;
+           });
     });
   }
 
@@ -80,16 +99,24 @@ public:
   Neighbor_graph renumbered(const std::vector<std::uint32_t>& numbers,
                             const std::vector<std::uint32_t>& place) const
   {
-    Neighbor_graph graph(m_stride);
-    graph.m_neighbors.assign(offset(numbers.size(), m_stride), 0);
+    Neighbor_graph graph;
     graph.m_sizes.assign(numbers.size(), 0);
     graph.m_radii.assign(numbers.size(), 0.);
     for (std::size_t i = 0; i < m_radii.size(); ++i) {
-      const std::size_t here = place[numbers[i]];
-      graph.m_sizes[here] = m_sizes[i];
-      graph.m_radii[here] = m_radii[i];
+      graph.m_sizes[place[numbers[i]]] = m_sizes[i];
+      graph.m_radii[place[numbers[i]]] = m_radii[i];
+    }
+    std::size_t total = 0;
+    graph.m_offsets.reserve(numbers.size());
+    for (const std::uint32_t size : graph.m_sizes) {
+      graph.m_offsets.push_back(total);
+      total += size;
+    }
+    graph.m_neighbors.resize(total);
+    for (std::size_t i = 0; i < m_radii.size(); ++i) {
+      std::uint32_t* const first = graph.m_neighbors.data() + graph.m_offsets[place[numbers[i]]];
       for (std::size_t j = 0; j < m_sizes[i]; ++j)
-        graph.m_neighbors[offset(here, m_stride) + j] = place[neighbors(i)[j]];
+        first[j] = place[neighbors(i)[j]];
     }
     return graph;
   }
@@ -104,16 +131,19 @@ public:
                           surface);
   }
 
-  /// Where the neighbors of a point begin: there may be more of them than \f$2^{32}\f$.
-  static constexpr std::size_t offset(std::size_t i, std::size_t stride) { return i * stride; }
-
   std::size_t size(std::size_t i) const { return m_sizes[i]; }
-  std::size_t largest_size() const { return m_stride; }
-  const std::uint32_t* neighbors(std::size_t i) const
-  {
-    return m_neighbors.data() + offset(i, m_stride);
-  }
+  const std::uint32_t* neighbors(std::size_t i) const { return m_neighbors.data() + m_offsets[i]; }
   double radius(std::size_t i) const { return m_radii[i]; }
+  /// Whether a point is far from all others: its neighborhood is several times as large as each of its
+  /// neighbors'. A scanner's invalid points are, which are written in one place.
+  bool is_isolated(std::size_t i) const
+  {
+    const double several = 4., limit = m_radii[i] / several;
+    for (std::size_t j = 0; j < m_sizes[i]; ++j)
+      if (m_radii[neighbors(i)[j]] >= limit)
+        return false; // as a rule, the first one
+    return true;
+  }
   Array<double>&& take_radii() { return std::move(m_radii); }
 
   /// Leaves each point the nearest of its neighbors.
@@ -128,7 +158,7 @@ public:
       for (std::size_t i = begin; i < end; ++i) {
         if (sizes[i] >= m_sizes[i] || sizes[i] == 0)
           continue;
-        std::uint32_t* const first = m_neighbors.data() + offset(i, m_stride);
+        std::uint32_t* const first = m_neighbors.data() + m_offsets[i];
         std::uint32_t* const last = first + m_sizes[i];
         nearest.clear();
         for (const std::uint32_t* j = first; j != last; ++j)

@@ -4,7 +4,11 @@
 
 #include <CGAL/license/Point_set_flow.h>
 
+#include <CGAL/Point_set_flow/internal/parallel/Array.h>
+
 #include <cstddef>
+#include <cstdint>
+#include <vector>
 
 namespace CGAL {
 namespace Point_set_flow {
@@ -14,6 +18,14 @@ namespace internal {
 struct Search_options {
   std::size_t k = 0;
   double radius = 0.; ///< the distance beyond which there are no neighbors, 0 for no limit
+  /// instead of `k`, if not empty: the number of neighbors of each part of the point set
+  std::vector<std::uint32_t> k_of_parts = {};
+  const Array<std::uint32_t>* part_of = nullptr; ///< for each point
+
+  std::size_t k_of(std::size_t site) const
+  {
+    return k_of_parts.empty() ? k : k_of_parts[(*part_of)[site]];
+  }
 };
 
 } // namespace internal

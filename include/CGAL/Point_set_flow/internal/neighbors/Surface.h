@@ -4,28 +4,64 @@
 
 #include <CGAL/license/Point_set_flow.h>
 
+#include <CGAL/Point_set_flow/Diffusivity.h>
 #include <CGAL/Point_set_flow/internal/neighbors/Neighbor_graph.h>
 
 #include <cstddef>
+#include <cstdint>
+#include <vector>
 
 namespace CGAL {
 namespace Point_set_flow {
 namespace internal {
 
+/// What suits the points around a sample, which make a part of the point set
+struct Local_parameters {
+  double noise, spacing;
+  std::uint32_t size;       ///< of the neighborhoods
+  std::uint32_t least_size; ///< smaller ones do not spread over the surface
+  double filter_width;      ///< of the Gaussians, in neighborhood radii
+  bool trusts_sides;        ///< whether the given sides can be trusted
+  double of_scans;          ///< the share of the variance that the scans explain
+  Diffusivity diffusivity = Diffusivity(0.);
+};
+
 /// What is known of a surface besides its points, at one time of the flow.
 struct Surface_state {
-  Array<Vector_3> normals; ///< empty before the first tangent planes
-  Array<double> noise;     ///< the standard deviation around each point; empty if not needed
-  double spacing = 0.;
-  double time = 0.; ///< 0 in the first step, 1 in the last
+  Array<Vector_3> normals;      ///< empty before the first tangent planes
+  Array<double> noise;          ///< the standard deviation around each point; empty if not needed
+  Array<std::uint32_t> part_of; ///< for each point, the part that it belongs to
+  const std::vector<Local_parameters>& parts;
+  double time = 0.;      ///< 0 in the first step, 1 in the last
+  Array<Vector_3> sides; ///< the given ones, null vectors where not known; empty if none is
+  std::vector<Side_knowledge> side_knowledge; ///< empty if no side is trusted
+
+  /// Whether neighbors on the opposite side are another sheet: if there are layers on the same side then, it
+  /// is one surface scanned twice.
+  bool is_sided(std::size_t i) const
+  {
+    return !side_knowledge.empty() && side_knowledge[i] == Side_knowledge::TRUSTED;
+  }
+
+  /// The normal of a point oriented as the given one.
+  Vector_3 oriented(std::size_t i, const Vector_3& normal) const
+  {
+    return !sides.empty() && sides[i] * normal < 0. ? -normal : normal;
+  }
+
+  const Local_parameters& parameters(std::size_t i) const { return parts[part_of[i]]; }
 
   Surface_estimate_3 at(std::size_t i) const
   {
     Surface_estimate_3 surface;
     surface.normals = normals.empty() ? nullptr : normals.data();
     surface.noise = noise.empty() ? 0. : noise[i];
-    surface.spacing = spacing;
+    surface.spacing = parameters(i).spacing;
     surface.time = time;
+    if (!side_knowledge.empty()) {
+      surface.sides = sides.data();
+      surface.side_knowledge = side_knowledge.data();
+    }
     return surface;
   }
 };
@@ -34,13 +70,13 @@ struct Surface_state {
 struct Surface {
   const Array<Point_3>& points;
   const Neighbor_graph& graph;
-  double filter_width; ///< of the Gaussians, in neighborhood radii
   const Surface_state& state;
+  double narrowing = 1.; ///< of the Gaussians
 
   std::size_t size() const { return points.size(); }
   Neighborhood_3 neighborhood(std::size_t i) const
   {
-    return graph.neighborhood(points, i, filter_width, state.at(i));
+    return graph.neighborhood(points, i, narrowing * state.parameters(i).filter_width, state.at(i));
   }
 };
 

@@ -4,7 +4,8 @@
 
 #include <CGAL/license/Point_set_flow.h>
 
-#include <CGAL/Point_set_flow/internal/noise/Noise_map.h>
+#include <CGAL/Point_set_flow/internal/noise/Scale_map.h>
+#include <CGAL/Point_set_flow/internal/order/Input_points.h>
 #include <CGAL/Point_set_flow/internal/order/Point_buffer.h>
 #include <CGAL/Point_set_flow/internal/parallel/stage_costs.h>
 
@@ -20,24 +21,22 @@ namespace internal {
 class Analyzed_points {
   Point_buffer m_buffer;
   std::optional<Neighbor_tree> m_tree;
-  std::optional<Noise_map> m_noise_map;
+  std::optional<Scale_map> m_scale_map;
+  Array<std::uint32_t> m_part_of;
 
 public:
-  /// \param reference, start, constrained, noise as for `Point_buffer`; the arrays are freed as soon
-  /// as they are copied in order
+  /// \param input is freed as soon as it is copied in order
   template <typename ConcurrencyTag>
-  Analyzed_points(Array<Point_3>&& reference, Array<Point_3>&& start,
-                  const std::vector<char>& constrained, Given_noise&& noise,
-                  Loops<ConcurrencyTag>& loops)
-      : m_buffer(in_order(reference, start, constrained, noise, loops))
+  Analyzed_points(Input_points&& input, Loops<ConcurrencyTag>& loops)
+      : m_buffer(in_order(input, loops))
   {
-    reference = Array<Point_3>(); // memory
-    start = Array<Point_3>();
-    noise = Given_noise();
+    input = Input_points(); // memory
     loops.begin_stage(stage_costs::tree);
     m_tree.emplace(m_buffer.reference, loops);
-    loops.begin_stage(stage_costs::scale);
-    m_noise_map.emplace(Scale_samples(*m_tree, loops), loops);
+    loops.begin_stage(stage_costs::scale, Scale_map::number_of_loops + 1);
+    m_scale_map.emplace(*m_tree, m_buffer.sides, m_buffer.scans, loops);
+    m_buffer.scans = Array<std::uint32_t>(); // memory
+    m_part_of = m_scale_map->nearest_samples(m_buffer.reference, loops);
   }
 
   Analyzed_points(const Analyzed_points&) = delete; // the tree knows where the points are
@@ -47,26 +46,33 @@ public:
   const Point_buffer& buffer() const { return m_buffer; }
   /// \pre `forget_points()` was not called
   const Neighbor_tree& tree() const { return *m_tree; }
-  const Noise_map& noise_map() const { return *m_noise_map; }
+  /// \pre `forget_points()` was not called
+  const Scale_map& scale_map() const { return *m_scale_map; }
+  /// for each point, the nearest sample of the scale map: the points around a sample make a part
+  Array<std::uint32_t>& part_of() { return m_part_of; }
+  const Array<std::uint32_t>& part_of() const { return m_part_of; }
 
-  /// Saves memory: leaves `buffer().site_of` and the noise map only.
+  /// Saves memory: leaves `buffer().site_of` only.
   void forget_points()
   {
     m_tree.reset();
+    m_scale_map.reset();
     m_buffer.reference = Array<Point_3>();
     m_buffer.start = Array<Point_3>();
     m_buffer.constrained = std::vector<char>();
     m_buffer.noise = Given_noise();
+    m_buffer.sides = Array<Vector_3>();
+    m_part_of = Array<std::uint32_t>();
   }
 
 private:
   template <typename ConcurrencyTag>
-  static Point_buffer in_order(const Array<Point_3>& reference, const Array<Point_3>& start,
-                               const std::vector<char>& constrained, const Given_noise& noise,
-                               Loops<ConcurrencyTag>& loops)
+  static Point_buffer in_order(const Input_points& input, Loops<ConcurrencyTag>& loops)
   {
     loops.begin_stage(stage_costs::order, 2);
-    return Point_buffer(reference, start, constrained, noise, loops);
+    Point_buffer buffer(input.reference, input.start, input.constrained, input.noise, loops);
+    buffer.add_layers(input.sides, input.scans);
+    return buffer;
   }
 };
 

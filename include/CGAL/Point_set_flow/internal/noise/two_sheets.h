@@ -53,12 +53,15 @@ struct Sheet_fit {
   std::uint32_t size;
 
   /// \param moments of the distances from the tangent planes, in spacings
-  /// \param found_noise, spacing around the point
+  /// \param found_noise around the point
+  /// \param local what suited the points around before
   /// \param is_given whether the noise is known: the caller gave it
-  Sheet_fit(const Distance_moments& moments, double found_noise, double spacing,
-            const Curvature_defaults& defaults, bool is_given)
-      : noise(found_noise)
+  /// \param is_sided whether the neighbors are all on one side: layers are one surface scanned twice
+  Sheet_fit(const Distance_moments& moments, double found_noise, const Local_parameters& local,
+            const Curvature_defaults& defaults, bool is_given, bool is_sided)
+      : noise(found_noise), size(local.size)
   {
+    const double spacing = local.spacing;
     const auto share = [](double x, double low, double high) {
       return (std::min)((std::max)((x - low) / (high - low), 0.), 1.);
     };
@@ -69,20 +72,23 @@ struct Sheet_fit {
     // a flat-topped distribution, or a neighborhood hardly wider than the noise, has a negative
     // excess without being bimodal
     const double doubtful = .4, certain = .6;
-    const double between = std::sqrt(share(-excess, doubtful, 2.));
-    if (between > 0. && !is_given)
-      noise = (std::min)(noise, spacing * std::sqrt(variance * (1. - between)));
+    const double between = std::sqrt(share(-excess, doubtful, 2.)); // of the variance
+    double is_wall =
+        is_sided ? 0. : 1.; // or else registration error, as far as the scans explain it
+    if (local.of_scans > 0. && between > 0.)
+      is_wall *= 1. - (std::min)(local.of_scans / between, 1.);
+    if (is_wall * between > 0. && !is_given)
+      noise = (std::min)(noise, spacing * std::sqrt(variance * (1. - is_wall * between)));
 
-    const double ratio = noise / spacing;
     const double few = .4, fewest = 12.;
+    if (local.least_size > fewest)
+      return;
+    const double ratio = noise / spacing;
     const double usual = defaults.neighborhood_size(ratio);
     const double small = few * defaults.size_factor * std::pow(ratio, defaults.size_exponent);
-    const double suited = usual + share(-excess, doubtful, certain) * (std::min)(small - usual, 0.);
+    const double suited =
+        usual + is_wall * share(-excess, doubtful, certain) * (std::min)(small - usual, 0.);
     size = static_cast<std::uint32_t>(std::round((std::max)(suited, (std::min)(fewest, usual))));
-    // noise of a tenth of the spacing cannot be distinguished from surface detail
-    const double clean = .1, noisy = .18;
-    if (!is_given)
-      noise *= share(ratio, clean, noisy);
   }
 };
 
@@ -98,20 +104,26 @@ Array<std::uint32_t> fit_sheets(const Surface& surface, const Curvature_defaults
                                 Array<double>& noise, bool is_given, Loops<ConcurrencyTag>& loops)
 {
   const std::size_t n = surface.size();
-  const double spacing = surface.state.spacing;
-  Array<std::uint32_t> sizes(n, static_cast<std::uint32_t>(surface.graph.largest_size()));
-  if (!(spacing > 0.))
-    return sizes;
+  Array<std::uint32_t> sizes(n);
   Array<Distance_moments> moments(n);
   loops.for_each_chunk(n, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i)
-      moments[i] = Distance_moments(surface.neighborhood(i));
+      if (surface.state.parameters(i).spacing > 0.)
+        moments[i] = Distance_moments(surface.neighborhood(i));
+      else
+        moments[i] = {0., 0.};
   });
   for (int i = 0; i < 3; ++i)
     pool(surface.graph, moments, loops);
   loops.for_each_chunk(n, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
-      const Sheet_fit fit(moments[i], noise[i], spacing, defaults, is_given);
+      const Local_parameters& local = surface.state.parameters(i);
+      if (!(local.spacing > 0.)) {
+        sizes[i] = local.size;
+        continue;
+      }
+      const Sheet_fit fit(moments[i], noise[i], local, defaults, is_given,
+                          surface.state.is_sided(i));
       noise[i] = fit.noise;
       sizes[i] = fit.size;
     }

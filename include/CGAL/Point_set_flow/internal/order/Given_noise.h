@@ -25,6 +25,12 @@ struct Given_noise {
 
   bool is_given() const { return of_all || !of_each.empty(); }
 
+  /// The noise of one of the points, if it is given
+  std::optional<double> of(std::size_t i) const
+  {
+    return of_each.empty() ? of_all : std::optional<double>(of_each[i]);
+  }
+
   /// The noise of some of the points
   Given_noise of(const std::vector<std::uint32_t>& numbers) const
   {

@@ -7,6 +7,7 @@
 #include <CGAL/Point_set_flow/Core_kernel.h>
 #include <CGAL/Point_set_flow/internal/order/Given_noise.h>
 #include <CGAL/Point_set_flow/internal/order/Spatial_order.h>
+#include <CGAL/Point_set_flow/internal/order/merge_layers.h>
 
 #include <cstddef>
 #include <cstdint>
@@ -27,6 +28,8 @@ public:
   Array<Point_3> start;               ///< \f$\chi\f$; empty if it is the reference
   std::vector<char> constrained;      ///< empty if no point is
   Given_noise noise;                  ///< of duplicates the mean
+  Array<Vector_3> sides;              ///< the given ones, null where not known; empty if none is
+  Array<std::uint32_t> scans;         ///< their numbers; empty if not given
   std::vector<std::uint32_t> site_of; ///< for each input point, where it is above
 
   /// \param input at most \f$2^{32} - 1\f$ reference points in the order of the caller
@@ -55,6 +58,14 @@ public:
     loops.ask();
     if (!fixed.empty())
       constrain(fixed);
+  }
+
+  /// Takes what the caller knows of layers.
+  /// \param given_sides, given_scans in the order of the caller; empty if not given
+  void add_layers(const Array<Vector_3>& given_sides, const Array<std::uint32_t>& given_scans)
+  {
+    sides = merged_sides(given_sides, site_of, size());
+    scans = merged_scans(given_scans, site_of, size());
   }
 
   std::size_t size() const { return reference.size(); }

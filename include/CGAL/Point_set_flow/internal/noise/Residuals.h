@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef CGAL_POINT_SET_FLOW_INTERNAL_NOISE_RESIDUALS_H
+#define CGAL_POINT_SET_FLOW_INTERNAL_NOISE_RESIDUALS_H
+
+#include <CGAL/license/Point_set_flow.h>
+
+#include <CGAL/Point_set_flow/internal/fitting/quadric_residual.h>
+#include <CGAL/Point_set_flow/internal/neighbors/Neighbor_query.h>
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace CGAL {
+namespace Point_set_flow {
+namespace internal {
+
+/// What quadrics leave of the neighborhoods of one point, size by size.
+///
+/// One small size cannot tell noise from structure once the noise exceeds the spacing; large ones
+/// hold more structure.
+struct Residuals {
+  static constexpr std::array<std::size_t, 5> sizes = {{12, 24, 48, 96, 192}};
+  static constexpr std::size_t steady = 2; ///< the first size that gives a steady spacing
+
+  std::array<double, 5>
+      variance; ///< negative if not measured, or if hardly any places are distinct
+  std::array<double, 5> radius;
+  std::array<double, 5> growth; ///< the logarithm of the radius over that of half of the neighbors
+
+  Residuals()
+  {
+    variance.fill(-1.);
+    radius.fill(0.);
+    growth.fill(0.);
+  }
+
+  bool is_measured(std::size_t s) const { return variance[s] >= 0.; }
+
+  /// Measures some of the sizes.
+  /// \param neighborhood the point itself and its nearest neighbors, nearest first, enough for these sizes
+  void measure(const Array<Point_3>& points, const std::vector<Neighbor>& neighborhood,
+               std::size_t first, std::size_t last)
+  {
+    std::vector<std::uint32_t> members;
+    for (std::size_t s = first; s < last && sizes[s] < neighborhood.size(); ++s) {
+      while (members.size() <= sizes[s])
+        members.push_back(neighborhood[members.size()].index);
+      radius[s] = std::sqrt(neighborhood[sizes[s]].squared_distance);
+      const double half = neighborhood[sizes[s] / 2].squared_distance;
+      growth[s] = half > 0. ? std::log(radius[s] / std::sqrt(half)) : 10.;
+      const double m = double(sizes[s] + 1), unknowns = 6.;
+      const double places = m / number_of_copies(neighborhood, sizes[s]);
+      if (places < unknowns + 2.5)
+        continue;
+      // copies are not independent of each other
+      const double r = quadric_residual(points, members, radius[s]);
+      variance[s] = r * r * ((m - unknowns) / m) * (places / (places - unknowns));
+    }
+  }
+
+private:
+  /// How many points are nearly in one place with the point: merging a scan with itself leaves such
+  /// groups.
+  static double number_of_copies(const std::vector<Neighbor>& neighborhood, std::size_t size)
+  {
+    const double near = .01; // in neighborhood radii
+    const double limit = near * near * neighborhood[size].squared_distance;
+    std::size_t copies = 1;
+    while (copies <= size && neighborhood[copies].squared_distance <= limit)
+      ++copies;
+    return double(copies);
+  }
+};
+
+} // namespace internal
+} // namespace Point_set_flow
+} // namespace CGAL
+
+#endif // CGAL_POINT_SET_FLOW_INTERNAL_NOISE_RESIDUALS_H

@@ -1,0 +1,167 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef CGAL_POINT_SET_FLOW_INTERNAL_NOISE_SCALE_MAP_H
+#define CGAL_POINT_SET_FLOW_INTERNAL_NOISE_SCALE_MAP_H
+
+#include <CGAL/license/Point_set_flow.h>
+
+#include <CGAL/Point_set_flow/internal/fitting/median.h>
+#include <CGAL/Point_set_flow/internal/noise/Layer_evidence.h>
+#include <CGAL/Point_set_flow/internal/noise/Residual_pool.h>
+#include <CGAL/Point_set_flow/internal/noise/choose_samples.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace CGAL {
+namespace Point_set_flow {
+namespace internal {
+
+/// The noise and the spacing around each place, from the samples next to it.
+class Scale_map {
+  const std::vector<std::uint32_t> m_sites; // of the samples
+  const Array<Point_3> m_points;            // of the samples
+  const Neighbor_tree m_tree;               // of the samples
+  std::vector<Local_scale> m_scales;
+
+public:
+  static constexpr int number_of_loops = 10;
+
+  template <typename ConcurrencyTag>
+  Scale_map(const Neighbor_tree& tree, const Array<Vector_3>& sides,
+            const Array<std::uint32_t>& scans, Loops<ConcurrencyTag>& loops)
+      : m_sites(choose_samples(tree, loops)), m_points(points_at(tree.points(), m_sites)),
+        m_tree(m_points, loops), m_scales(m_sites.size())
+  {
+    const std::size_t pooled = 64; // samples, besides the one in the middle
+    const Neighbor_graph near(m_tree, {pooled, 0., {}}, loops);
+    const Layer_evidence layers(tree, m_sites, sides, scans, loops);
+    std::vector<Residuals> residuals(m_sites.size());
+    std::vector<char> is_done(m_sites.size(), 0);
+    std::size_t first = 0;
+    // most samples do not need the large neighborhoods, which cost the most
+    for (const std::size_t last : {Residuals::steady + 1, Residuals::sizes.size()}) {
+      for_each_sample(loops, [&](std::size_t begin, std::size_t end) {
+        std::vector<std::uint32_t> sites;
+        for (std::size_t i = begin; i < end; ++i)
+          if (!is_done[i])
+            sites.push_back(m_sites[i]);
+        // those on the other side do not count
+        const std::size_t share = sides.empty() ? 1 : 2;
+        const Search_options nearest = {share * Residuals::sizes[last - 1]};
+        std::size_t i = begin;
+        std::vector<Neighbor> neighborhood;
+        Group_search(tree, nearest)(
+            sites.begin(), sites.end(), [&](const std::vector<std::uint32_t>& found, double) {
+              while (is_done[i])
+                ++i;
+              const std::uint32_t site = m_sites[i];
+              const bool is_sided = !sides.empty() && layers.trusts_sides(near, i);
+              neighborhood.assign(1, {0., site});
+              for (const std::uint32_t j : found)
+                if (!is_sided || sides[j] * sides[site] >= 0.)
+                  neighborhood.push_back(
+                      {squared_distance(tree.points()[site], tree.points()[j]), j});
+              std::sort(neighborhood.begin() + 1, neighborhood.end());
+              residuals[i++].measure(tree.points(), neighborhood, first, last);
+            });
+      });
+      for_each_sample(loops, [&](std::size_t begin, std::size_t end) {
+        Residual_pool pool(residuals, near);
+        for (std::size_t i = begin; i < end; ++i)
+          if (!is_done[i]) {
+            bool is_large;
+            m_scales[i] = pool.scale(i, last, is_large);
+            is_done[i] = is_large;
+            m_scales[i].trusts_sides = !sides.empty() && layers.trusts_sides(near, i);
+            m_scales[i].of_scans = scans.empty() ? 0. : layers.of_scans(near, i);
+          }
+      });
+      first = last;
+    }
+    steady(near, loops);
+  }
+
+  Scale_map(const Scale_map&) = delete; // the tree knows where the samples are
+  Scale_map& operator=(const Scale_map&) = delete;
+
+  /// the numbers of the samples in the point set
+  const std::vector<std::uint32_t>& sites() const { return m_sites; }
+  /// around each sample
+  const std::vector<Local_scale>& scales() const { return m_scales; }
+
+  /// the median over the samples
+  double noise() const { return median_of(&Local_scale::noise); }
+  /// the median over the samples
+  double spacing() const { return median_of(&Local_scale::spacing); }
+
+  /// The sample that is nearest to each point
+  template <typename ConcurrencyTag>
+  Array<std::uint32_t> nearest_samples(const Array<Point_3>& points,
+                                       Loops<ConcurrencyTag>& loops) const
+  {
+    Array<std::uint32_t> samples(points.size());
+    loops.for_each_chunk(points.size(), [&](std::size_t begin, std::size_t end) {
+      Neighbor_query nearest(m_tree, 1);
+      for (std::size_t i = begin; i < end; ++i)
+        samples[i] = nearest(points[i]).front().index;
+    });
+    return samples;
+  }
+
+private:
+  /// Takes sampling error out of the noise: the median over the samples around, unless the noise differs
+  /// significantly.
+  template <typename ConcurrencyTag>
+  void steady(const Neighbor_graph& near, Loops<ConcurrencyTag>& loops)
+  {
+    const double significant = 1.25;
+    std::vector<double> noise(m_scales.size());
+    for_each_sample(loops, [&](std::size_t begin, std::size_t end) {
+      std::vector<double> around;
+      for (std::size_t i = begin; i < end; ++i) {
+        const double own = m_scales[i].noise;
+        around.assign(1, own);
+        for (std::size_t j = 0; j < near.size(i); ++j)
+          around.push_back(m_scales[near.neighbors(i)[j]].noise);
+        const double usual = median(around);
+        noise[i] = own > significant * usual   ? own / significant
+                   : own * significant < usual ? own * significant
+                                               : usual;
+      }
+    });
+    for (std::size_t i = 0; i < m_scales.size(); ++i)
+      m_scales[i].noise = noise[i];
+  }
+
+  static Array<Point_3> points_at(const Array<Point_3>& points,
+                                  const std::vector<std::uint32_t>& sites)
+  {
+    Array<Point_3> some;
+    for (const std::uint32_t site : sites)
+      some.push_back(points[site]);
+    return some;
+  }
+
+  template <typename ConcurrencyTag, typename Body>
+  void for_each_sample(Loops<ConcurrencyTag>& loops, const Body& body) const
+  {
+    const std::size_t costly = 256; // samples that make a chunk
+    loops.for_each_chunk(m_sites.size(), body, costly);
+  }
+
+  double median_of(double Local_scale::*member) const
+  {
+    std::vector<double> values;
+    for (const Local_scale& scale : m_scales)
+      values.push_back(scale.*member);
+    return values.empty() ? 0. : median(values);
+  }
+};
+
+} // namespace internal
+} // namespace Point_set_flow
+} // namespace CGAL
+
+#endif // CGAL_POINT_SET_FLOW_INTERNAL_NOISE_SCALE_MAP_H
