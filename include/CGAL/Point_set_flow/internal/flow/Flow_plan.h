@@ -62,11 +62,13 @@ public:
         crease_variation(parameters.sharpness_angle.value_or(defaults.sharpness_angle));
     feature_diffusivity = parameters.feature_threshold ? Diffusivity(*parameters.feature_threshold)
                                                        : Diffusivity::half_at(crease);
+    const double above_noise = 2.5; // features exceed the variation that noise causes anywhere
     for (std::size_t i = 0; i < points.scale_map().scales().size(); ++i) {
       Local_parameters part = plan_size(points, i, parameters);
-      part.diffusivity = parameters.feature_threshold
-                             ? feature_diffusivity
-                             : Diffusivity::half_at((std::max)(crease, 2. * noise_variation(part)));
+      part.diffusivity =
+          parameters.feature_threshold
+              ? feature_diffusivity
+              : Diffusivity::half_at((std::max)(crease, above_noise * noise_variation(part)));
       parts.push_back(part);
     }
     plan_search(points, parameters);
