@@ -308,3 +308,51 @@ BOOST_AUTO_TEST_CASE(constant_point_sets_with_normals_are_analyzed)
   BOOST_CHECK_THROW(analyze_point_set<Sequential>(constant, np::scan_map(few_scans)),
                     std::invalid_argument);
 }
+
+namespace {
+
+/// The same ground scanned twice, with a registration error of .4 and noise of .05 of the spacing
+struct Two_scans {
+  Points points;
+  std::vector<int> numbers;
+
+  Two_scans()
+  {
+    std::mt19937 random(7);
+    std::uniform_real_distribution<double> u(0., 50.);
+    for (int i = 0; i < 5000; ++i) {
+      points.emplace_back(u(random), u(random), i % 2 == 0 ? .2 : -.2);
+      numbers.push_back(i % 2);
+    }
+    shapes::add_noise(points, .05);
+  }
+
+  /// The rms distance from the middle of the layers
+  double deviation_with(const std::vector<int>& scans) const
+  {
+    Points result = points;
+    std::vector<std::size_t> indices(points.size());
+    std::iota(indices.begin(), indices.end(), std::size_t(0));
+    CGAL::balanced_flow_smooth_point_set<Sequential>(
+        indices, np::scan_map(CGAL::make_property_map(scans))
+                     .point_map(CGAL::make_property_map(result)));
+    double sum = 0.;
+    for (const auto& p : result)
+      sum += p.z() * p.z();
+    return std::sqrt(sum / double(result.size()));
+  }
+};
+
+} // namespace
+
+BOOST_AUTO_TEST_CASE(layers_of_different_scans_come_together)
+{
+  const Two_scans scans;
+  const double known = scans.deviation_with(scans.numbers);
+  const double unknown_scans = scans.deviation_with(std::vector<int>(scans.points.size(), 3));
+  std::vector<int> shuffled = scans.numbers; // tell nothing on the heights
+  std::shuffle(shuffled.begin(), shuffled.end(), std::mt19937(3));
+  BOOST_TEST(known < .4 * .2);
+  BOOST_TEST(known < .5 * unknown_scans);
+  BOOST_TEST(scans.deviation_with(shuffled) == unknown_scans, boost::test_tools::tolerance(.1));
+}

@@ -3,12 +3,13 @@
 #define POINT_SET_FLOW_BENCHMARK_RUN_PUNET_H
 
 #include "Punet_case.h"
+#include "field/Comparison.h"
 
 namespace comparison {
 
 /// CD and P2M of all that is compared, per shape and in the mean of the shapes.
 class Punet_table {
-  enum Column { noisy, jets, bilaterals, ours, ours_best_k, columns };
+  enum Column { noisy, jets, bilaterals, ours, ours_best_k, noise_given, normals_given, columns };
   typedef std::array<Punet_score, columns> Row;
 
   std::string m_group; // the rows that belong to one mean
@@ -20,6 +21,25 @@ class Punet_table {
   {
     if (score.p2m < best.p2m)
       best = score;
+  }
+
+  static Points smooth_with_noise(const Punet_case& c)
+  {
+    Points points = c.noisy;
+    CGAL::balanced_flow_smooth_point_set<Concurrency_tag>(
+        points, CGAL::parameters::noise(std::stod(c.noise)));
+    return points;
+  }
+
+  /// With the normals of the mesh: of a scanner that knows its side
+  static Points smooth_with_true_normals(const Punet_case& c)
+  {
+    Points on_mesh = c.noisy;
+    c.mesh_sphere.apply(on_mesh);
+    Vectors normals;
+    for (const Point_3& p : on_mesh)
+      normals.push_back(c.surface->closest(p).normal);
+    return smooth_with_normals(c.noisy, normals).points;
   }
 
   static Row measure(const Punet_case& c)
@@ -36,6 +56,8 @@ class Punet_table {
     for (const unsigned int k : {8u, 12u, 16u, 24u, 48u})
       keep_better(row[ours_best_k],
                   c.score(point_set_flow(c.noisy, k).points, "k=" + std::to_string(k)));
+    row[noise_given] = c.score(smooth_with_noise(c), "");
+    row[normals_given] = c.score(smooth_with_true_normals(c), "");
     return row;
   }
 
@@ -67,8 +89,9 @@ public:
   Punet_table()
   {
     std::printf("\n## PU-Net's test set\n\nCD / two-way P2M, x 1e4\n\n| shape | noisy | jet | "
-                "bilateral | ours | ours, best k | ours/noisy | P2M, ours/best k |\n"
-                "|---|---|---|---|---|---|---|---|\n");
+                "bilateral | ours | ours, best k | ours, noise given | ours, normals given | "
+                "ours/noisy | P2M, "
+                "ours/best k |\n|---|---|---|---|---|---|---|---|---|---|\n");
   }
   void add(const Punet_case& c)
   {
