@@ -109,7 +109,7 @@ BOOST_AUTO_TEST_CASE(the_graph_has_the_nearest_neighbors)
 BOOST_AUTO_TEST_CASE(a_graph_of_few_points_has_as_many_neighbors_as_wanted)
 {
   Loops loops(nullptr, 1.);
-  for (const std::size_t n : {10, 33, 91, 300}) {
+  for (const std::size_t n : {10u, 33u, 91u, 300u}) {
     const Points points = array(shapes::sphere(n, 1.));
     const internal::Neighbor_tree tree(points, loops);
     for (const std::size_t k : {n / 4, n / 2, 2 * n / 3, n - 2}) {
