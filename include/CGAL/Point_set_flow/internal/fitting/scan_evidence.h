@@ -74,8 +74,8 @@ inline double scan_evidence(const Array<Point_3>& points, std::size_t i,
   add(i);
   for (std::size_t j = 0; j < size; ++j)
     add(neighbors[j]);
-  std::stable_sort(scanned.begin(), scanned.end(),
-                   [](const Scanned& a, const Scanned& b) { return a.first < b.first; });
+  std::sort(scanned.begin(), scanned.end(),
+            [](const Scanned& a, const Scanned& b) { return a.first < b.first; });
 
   // One plane for all points, and parallel ones, each at the height of a scan
   Height_regression together, within;
