@@ -6,9 +6,9 @@
 
 #include <CGAL/Point_set_flow/internal/entrance/Caller_maps.h>
 #include <CGAL/Point_set_flow/internal/entrance/Frame.h>
-#include <CGAL/Point_set_flow/internal/order/Input_points.h>
 #include <CGAL/Point_set_flow/internal/entrance/copy_layers.h>
 #include <CGAL/Point_set_flow/internal/entrance/copy_noise.h>
+#include <CGAL/Point_set_flow/internal/order/Input_points.h>
 
 #include <cmath>
 #include <cstddef>

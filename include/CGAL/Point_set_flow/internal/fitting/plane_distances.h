@@ -73,10 +73,10 @@ struct Distance_moments {
   // cppcheck-suppress uninitMemberVar // those in an `Array` are not initialized on purpose
   Distance_moments() = default;
 
-  /// The moments are in spacings, to keep fourth powers in the range of `double`.
-  /// \pre the normals of the neighborhood are known, and the spacing is positive
   Distance_moments(double second_, double fourth_) : second(second_), fourth(fourth_) {}
 
+  /// The moments are in spacings, to keep fourth powers in the range of `double`.
+  /// \pre the normals of the neighborhood are known, and the spacing is positive
   explicit Distance_moments(const Neighborhood_3& neighborhood) : second(0.), fourth(0.)
   {
     if (neighborhood.size() < 2)

@@ -134,6 +134,7 @@ public:
   std::size_t size(std::size_t i) const { return m_sizes[i]; }
   const std::uint32_t* neighbors(std::size_t i) const { return m_neighbors.data() + m_offsets[i]; }
   double radius(std::size_t i) const { return m_radii[i]; }
+
   /// Whether a point is far from all others: its neighborhood is several times as large as each of its
   /// neighbors'. A scanner's invalid points are, which are written in one place.
   bool is_isolated(std::size_t i) const
@@ -144,6 +145,7 @@ public:
         return false; // as a rule, the first one
     return true;
   }
+
   Array<double>&& take_radii() { return std::move(m_radii); }
 
   /// Leaves each point the nearest of its neighbors.
