@@ -150,6 +150,28 @@ BOOST_AUTO_TEST_CASE(sheets_with_opposite_normals_stay_apart)
   }
 }
 
+BOOST_AUTO_TEST_CASE(sheets_are_told_apart_without_normals)
+{
+  // nearer than the neighborhoods are wide; closer ones cannot be told from noise that is not Gaussian
+  for (const double separation : {3.5 * sigma, 6. * sigma, 10. * sigma})
+    for (const unsigned int seed : {1u, 2u}) {
+      const Scan scan = two_sheets(separation, -1., seed);
+      for (const Points& result :
+           {scan.smoothed_without_normals(), scan.smoothed(at_random(scan.normals))}) {
+        BOOST_TEST(approach(scan, result, separation) < .1);
+        BOOST_TEST(deviation(scan, result) < .85 * sigma);
+      }
+    }
+}
+
+BOOST_AUTO_TEST_CASE(one_sheet_is_not_taken_for_two)
+{
+  for (const unsigned int seed : {1u, 2u, 3u}) {
+    const Scan scan = two_sheets(0., -1., seed);
+    BOOST_TEST(deviation(scan, scan.smoothed_without_normals()) < .3 * sigma);
+  }
+}
+
 BOOST_AUTO_TEST_CASE(normals_into_the_wall_and_out_of_it_give_the_same_points)
 {
   const Scan scan = two_sheets(2. * sigma, -1.);
@@ -254,6 +276,14 @@ BOOST_AUTO_TEST_CASE(results_do_not_depend_on_order_threads_and_blocks)
     BOOST_REQUIRE((result[i] == expected[order[i]]));
 }
 
+BOOST_AUTO_TEST_CASE(sides_that_are_found_do_not_depend_on_blocks)
+{
+  const Scan scan = two_sheets(4. * sigma, -1.);
+  const Points expected = scan.smoothed_without_normals();
+  for (const unsigned int block_size : {1000u, 3000u})
+    BOOST_TEST((scan.smoothed(Normals(scan.size(), unknown), block_size) == expected));
+}
+
 BOOST_AUTO_TEST_CASE(numbers_of_scans_of_any_integer_type_are_read)
 {
   const Scan scan = two_sheets(2. * sigma, -1.);
@@ -334,8 +364,8 @@ struct Two_scans {
     std::vector<std::size_t> indices(points.size());
     std::iota(indices.begin(), indices.end(), std::size_t(0));
     CGAL::balanced_flow_smooth_point_set<Sequential>(
-        indices, np::scan_map(CGAL::make_property_map(scans))
-                     .point_map(CGAL::make_property_map(result)));
+        indices,
+        np::scan_map(CGAL::make_property_map(scans)).point_map(CGAL::make_property_map(result)));
     double sum = 0.;
     for (const auto& p : result)
       sum += p.z() * p.z();

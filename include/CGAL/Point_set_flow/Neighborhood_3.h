@@ -14,24 +14,15 @@ namespace CGAL {
 namespace Point_set_flow {
 
 /// \ingroup PkgPointSetFlowCurvature
-/// What is known of the side of the surface on which a point was measured.
-enum class Side_knowledge : char {
-  UNKNOWN, ///< no normal is given
-  KNOWN,   ///< one is given, but those around the point may be random
-  TRUSTED  ///< the normals given around the point are consistent
-};
-
-/// \ingroup PkgPointSetFlowCurvature
 /// What is known of a surface around a point, besides the points.
 struct Surface_estimate_3 {
   const Vector_3* normals = nullptr; ///< one for each point, or null
   double noise = 0.;                 ///< the standard deviation of the noise
   double spacing = 0.;               ///< the spacing around the point
   double time = 0.;                  ///< 0 in the first step of the flow, 1 in the last
-  const Vector_3* sides =
-      nullptr; ///< the given normals, null vectors where there are none; or null
-  const Side_knowledge* side_knowledge =
-      nullptr; ///< one for each point; null if no side is trusted
+  /// for each point, a vector to the side of the surface on which it was measured, given or found; null
+  /// vectors where no side is known or to be trusted; or null
+  const Vector_3* sides = nullptr;
 };
 
 /// \ingroup PkgPointSetFlowCurvature
@@ -81,24 +72,19 @@ public:
   /// \pre `has_normals()`
   const Vector_3& normal(std::size_t j) const { return m_surface.normals[m_neighbors[j]]; }
 
-  /// whether the side of the point is known and trusted, because the caller gave normals
-  bool is_sided() const
-  {
-    return m_surface.side_knowledge &&
-           m_surface.side_knowledge[m_center] == Side_knowledge::TRUSTED;
-  }
+  /// whether the side of the point is known: the caller gave a normal, or two sheets were told apart
+  bool is_sided() const { return m_surface.sides && m_surface.sides[m_center] != NULL_VECTOR; }
   /// whether a neighbor is known to be on the opposite side, hence another sheet of the surface
   /// \pre `is_sided()`
   bool is_opposite(std::size_t j) const
   {
-    const std::uint32_t i = m_neighbors[j];
-    if (m_surface.side_knowledge[i] == Side_knowledge::UNKNOWN)
+    const Vector_3& other = m_surface.sides[m_neighbors[j]];
+    if (other == NULL_VECTOR)
       return false;
-    if (has_normals()) // which are oriented as the given ones, and more accurate
+    if (has_normals()) // which are oriented as the sides, and more accurate
       return normal(j) * normal() < 0.;
-    return m_surface.sides[i] * m_surface.sides[m_center] < 0.;
+    return other * m_surface.sides[m_center] < 0.;
   }
-
   /// the standard deviation of the noise around the point, as estimated before the first step; 0
   /// unless the estimator declares `Uses_surface_estimate`
   double noise() const { return m_surface.noise; }
@@ -116,7 +102,7 @@ public:
     Neighborhood_3 part = *this;
     part.m_neighbors = neighbors;
     part.m_size = size;
-    part.m_surface.side_knowledge = nullptr;
+    part.m_surface.sides = nullptr;
     return part;
   }
   /// \endcond

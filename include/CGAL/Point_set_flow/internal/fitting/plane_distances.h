@@ -76,13 +76,15 @@ struct Distance_moments {
   Distance_moments(double second_, double fourth_) : second(second_), fourth(fourth_) {}
 
   /// The moments are in spacings, to keep fourth powers in the range of `double`.
+  /// \param mean of the \f$d_j\f$, in spacings: the height of the point above its neighbors
   /// \pre the normals of the neighborhood are known, and the spacing is positive
-  explicit Distance_moments(const Neighborhood_3& neighborhood) : second(0.), fourth(0.)
+  Distance_moments(const Neighborhood_3& neighborhood, double& mean) : second(0.), fourth(0.)
   {
+    mean = 0.;
     if (neighborhood.size() < 2)
       return; // no plane
     if (neighborhood.is_sided()) {
-      *this = Distance_moments(Same_side(neighborhood).neighborhood());
+      *this = Distance_moments(Same_side(neighborhood).neighborhood(), mean);
       return;
     }
 
@@ -108,6 +110,7 @@ struct Distance_moments {
     if (!(sums[0] > 0.))
       return; // no neighbors
     const double m1 = sums[1] / sums[0], m2 = sums[2] / sums[0], m3 = sums[3] / sums[0];
+    mean = -m1;
     second = (std::max)(m2 - m1 * m1, 0.);
     fourth = (std::max)(
         sums[4] / sums[0] - 4. * m1 * m3 + 6. * m1 * m1 * m2 - 3. * m1 * m1 * m1 * m1, 0.);

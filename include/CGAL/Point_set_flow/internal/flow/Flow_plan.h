@@ -81,7 +81,7 @@ public:
   std::size_t number_of_rings() const
   {
     const std::size_t steps = number_of_iterations, outputs = 1;
-    return uses_surface_estimate ? 2 * steps + 3 + outputs
+    return uses_surface_estimate ? 2 * steps + 4 + outputs
                                  : (is_prefiltered ? 2 : 1) * steps + outputs;
   }
 
@@ -127,6 +127,7 @@ private:
     part.spacing = scale.spacing;
     part.least_size = scale.least_size;
     part.trusts_sides = scale.trusts_sides;
+    part.has_two_sheets = scale.has_two_sheets;
     part.of_scans = scale.of_scans;
     part.size = defaults.neighborhood_size(part.spacing > 0. ? part.noise / part.spacing : 0.);
     // where points lie in lines or columns, a little more than what makes them a surface

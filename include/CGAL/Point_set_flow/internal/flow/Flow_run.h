@@ -8,6 +8,7 @@
 #include <CGAL/Point_set_flow/flows.h>
 #include <CGAL/Point_set_flow/internal/flow/Flow_plan.h>
 #include <CGAL/Point_set_flow/internal/flow/prefilter.h>
+#include <CGAL/Point_set_flow/internal/flow/sides.h>
 #include <CGAL/Point_set_flow/internal/flow/tangent_planes.h>
 #include <CGAL/Point_set_flow/internal/neighbors/Block_cutter.h>
 #include <CGAL/Point_set_flow/internal/flow/Rest_reason.h>
@@ -43,7 +44,7 @@ public:
   Flow_run(const Flow_plan& plan, Block& block, const Flow& flow, const Curvature& curvature,
            Loops<ConcurrencyTag>& loops)
       : m_plan(plan), m_block(block), m_flow(flow), m_curvature(curvature),
-        m_loops(loops), m_state{{}, {}, {}, plan.parts, 0., {}, {}}
+        m_loops(loops), m_state{{}, {}, {}, plan.parts, 0., {}}
   {
     m_state.part_of = std::move(block.part_of);
     if (!uses_surface_estimate)
@@ -55,7 +56,7 @@ public:
       for (const std::uint32_t part : m_state.part_of)
         m_state.noise.push_back(plan.parts[part].noise);
     }
-    trust_sides();
+    take_given_sides(m_state, std::move(block.sides));
     block.sides = Array<Vector_3>(); // memory
   }
 
@@ -143,25 +144,6 @@ public:
   }
 
 private:
-  /// Takes the given sides where they are trusted somewhere.
-  void trust_sides()
-  {
-    if (m_block.sides.empty())
-      return;
-    bool is_any_trusted = false;
-    for (std::size_t i = 0; i < m_block.sides.size(); ++i) {
-      const bool is_trusted = m_state.parameters(i).trusts_sides;
-      m_state.side_knowledge.push_back(m_block.sides[i] == NULL_VECTOR ? Side_knowledge::UNKNOWN
-                                       : is_trusted                    ? Side_knowledge::TRUSTED
-                                                                       : Side_knowledge::KNOWN);
-      is_any_trusted = is_any_trusted || is_trusted;
-    }
-    if (is_any_trusted)
-      m_state.sides = std::move(m_block.sides);
-    else
-      m_state.side_knowledge.clear();
-  }
-
   Surface surface(const Array<Point_3>& points, double narrowing = 1.) const
   {
     return {points, m_block.graph, m_state, narrowing};
@@ -191,12 +173,12 @@ private:
   void adapt_neighborhoods()
   {
     m_loops.begin_stage(stage_costs::sheets, sheet_loops);
-    const Array<std::uint32_t> sizes =
-        fit_sheets(surface(m_block.current_points()), m_plan.defaults, m_state.noise,
-                   m_plan.is_noise_given, m_loops);
+    const Sheets sheets = fit_sheets(surface(m_block.current_points()), m_plan.defaults,
+                                     m_state.noise, m_plan.is_noise_given, m_loops);
+    take_found_sides(m_state, sheets.sides);
     if (!m_plan.is_k_given) {
       m_loops.begin_stage(stage_costs::shrink);
-      m_block.graph.shrink(m_block.reference, sizes, m_loops);
+      m_block.graph.shrink(m_block.reference, sheets.sizes, m_loops);
     }
   }
 

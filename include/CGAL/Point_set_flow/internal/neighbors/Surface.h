@@ -22,6 +22,7 @@ struct Local_parameters {
   std::uint32_t least_size; ///< smaller ones do not spread over the surface
   double filter_width;      ///< of the Gaussians, in neighborhood radii
   bool trusts_sides;        ///< whether the given sides can be trusted
+  bool has_two_sheets;      ///< whether neighborhoods hold both sides of a thin part
   double of_scans;          ///< the share of the variance that the scans explain
   Diffusivity diffusivity = Diffusivity(0.);
 };
@@ -33,17 +34,13 @@ struct Surface_state {
   Array<std::uint32_t> part_of; ///< for each point, the part that it belongs to
   const std::vector<Local_parameters>& parts;
   double time = 0.;      ///< 0 in the first step, 1 in the last
-  Array<Vector_3> sides; ///< the given ones, null vectors where not known; empty if none is
-  std::vector<Side_knowledge> side_knowledge; ///< empty if no side is trusted
+  Array<Vector_3> sides; ///< null vectors where not known or not trusted; empty if none is
 
   /// Whether neighbors on the opposite side are another sheet: if there are layers on the same side then, it
   /// is one surface scanned twice.
-  bool is_sided(std::size_t i) const
-  {
-    return !side_knowledge.empty() && side_knowledge[i] == Side_knowledge::TRUSTED;
-  }
+  bool is_sided(std::size_t i) const { return !sides.empty() && sides[i] != NULL_VECTOR; }
 
-  /// The normal of a point oriented as the given one.
+  /// The normal of a point oriented to its side.
   Vector_3 oriented(std::size_t i, const Vector_3& normal) const
   {
     return !sides.empty() && sides[i] * normal < 0. ? -normal : normal;
@@ -58,10 +55,7 @@ struct Surface_state {
     surface.noise = noise.empty() ? 0. : noise[i];
     surface.spacing = parameters(i).spacing;
     surface.time = time;
-    if (!side_knowledge.empty()) {
-      surface.sides = sides.data();
-      surface.side_knowledge = side_knowledge.data();
-    }
+    surface.sides = sides.empty() ? nullptr : sides.data();
     return surface;
   }
 };

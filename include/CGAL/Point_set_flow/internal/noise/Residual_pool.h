@@ -23,6 +23,7 @@ struct Local_scale {
   double noise = 0., spacing = 0.;
   std::uint32_t least_size = 0; ///< the fewest neighbors that spread over the surface; 0 if unknown
   bool trusts_sides = false;    ///< whether the given sides can be trusted
+  bool has_two_sheets = false;  ///< whether neighborhoods hold both sides of a thin part
   double of_scans = 0.;         ///< the share of the variance that the scans explain
 };
 
@@ -40,15 +41,14 @@ public:
 
   /// The scale around sample `i`, from the first size whose neighborhoods are two-dimensional and
   /// large against the noise found in them; from the last two-dimensional one, if there is none.
-  /// \param count how many of the sizes were measured
-  /// \param is_large whether the neighborhoods are large enough
-  Local_scale scale(std::size_t i, std::size_t count, bool& is_large)
+  Local_scale scale(std::size_t i)
   {
-    const double large = 4.; // radius of a neighborhood over the noise in it
+    const double large = 2.25; // radius of a neighborhood over the noise in it
+    const std::size_t count = Residuals::sizes.size();
     Local_scale scale;
-    is_large = false;
     double variance = 0.;
     std::size_t s = 0;
+    bool is_large = false;
     for (std::size_t size = 0; size < count && !is_large; ++size) {
       // also the next one: columns of points seem to fill space before they make a surface
       if (!is_two_dimensional(i, size) || (size + 1 < count && !is_two_dimensional(i, size + 1)))
@@ -64,7 +64,7 @@ public:
     }
     if (scale.least_size == 0)
       s = count - 1;
-    else if (s < Residuals::steady && s + 1 < count && is_two_dimensional(i, s + 1)) {
+    else if (s < Residuals::steady && is_two_dimensional(i, s + 1)) {
       // noise stays as the size grows, shape grows
       const double next = pooled_variance(i, s + 1);
       if (next >= 0.)
@@ -74,6 +74,7 @@ public:
     scale.noise = std::sqrt(variance);
     if (scale.noise < rounding * m_residuals[i].radius[s])
       scale.noise = 0.;
+    scale.has_two_sheets = has_two_sheets(i);
     s = (std::max)(s, Residuals::steady);
     while (s > 0 && !(m_residuals[i].radius[s] > 0.))
       --s;
@@ -118,7 +119,38 @@ private:
     // that of the chi-squared distribution, by the approximation of Wilson and Hilferty
     const double freedom = double(Residuals::sizes[s]) - 5., normal_tercile = -.4307;
     const double a = 2. / (9. * freedom), root = 1. - a + normal_tercile * std::sqrt(a);
-    return *tercile / (root * root * root);
+    const double variance = *tercile / (root * root * root);
+    return variance * filled(m_residuals[i].radius[s], variance);
+  }
+
+  /// By how much noise is underestimated that fills the neighborhoods.
+  ///
+  /// The nearest points in space are nearer in height, too: the deviation of the residuals, in radii, is
+  /// at most .37. Fitted to simulated planes with 12 to 96 neighbors, white and blue noise of the positions:
+  /// r = q / (1 + (q / .37)^3)^(1/3), within 3%, with q the true deviation in radii.
+  static double filled(double radius, double variance)
+  {
+    const double limit = .37, most = .7; // beyond, r hardly depends on the noise
+    const double share = std::pow(std::sqrt(variance) / (limit * radius), 3);
+    return radius > 0. ? std::pow(1. - (std::min)(share, most), -2. / 3.) : 1.;
+  }
+
+  /// Whether the residuals around sample `i` are bimodal: with two sheets d apart and the noise s, the excess
+  /// kurtosis is -2 / (1 + (2 s / d)^2)^2, and -.7 if d is 2.4 s. Flat-topped noise that is not
+  /// bimodal hardly gets there: its kurtosis is that of sheets closer than that.
+  bool has_two_sheets(std::size_t i) const
+  {
+    const double bimodal = -.7;
+    double excess = 0., count = 0.;
+    const auto add = [&](const Residuals& residuals) {
+      if (residuals.is_measured(Residuals::sizes.size() - 1))
+        excess += residuals.excess_kurtosis, count += 1.;
+    };
+    add(m_residuals[i]);
+    for (std::size_t j = 0; j < m_near.size(i); ++j)
+      add(m_residuals[m_near.neighbors(i)[j]]);
+    const double enough = 20.; // samples, for a standard error of about .2
+    return count >= enough && excess < bimodal * count;
   }
 };
 

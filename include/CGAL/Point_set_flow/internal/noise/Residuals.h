@@ -4,7 +4,7 @@
 
 #include <CGAL/license/Point_set_flow.h>
 
-#include <CGAL/Point_set_flow/internal/fitting/quadric_residual.h>
+#include <CGAL/Point_set_flow/internal/fitting/Quadric_fit.h>
 #include <CGAL/Point_set_flow/internal/neighbors/Neighbor_query.h>
 
 #include <array>
@@ -22,13 +22,14 @@ namespace internal {
 /// One small size cannot tell noise from structure once the noise exceeds the spacing; large ones
 /// hold more structure.
 struct Residuals {
-  static constexpr std::array<std::size_t, 5> sizes = {{12, 24, 48, 96, 192}};
+  static constexpr std::array<std::size_t, 4> sizes = {{12, 24, 48, 96}};
   static constexpr std::size_t steady = 2; ///< the first size that gives a steady spacing
 
-  std::array<double, 5>
+  std::array<double, 4>
       variance; ///< negative if not measured, or if hardly any places are distinct
-  std::array<double, 5> radius;
-  std::array<double, 5> growth; ///< the logarithm of the radius over that of half of the neighbors
+  std::array<double, 4> radius;
+  std::array<double, 4> growth; ///< the logarithm of the radius over that of half of the neighbors
+  double excess_kurtosis = 0.;  ///< at the largest size
 
   Residuals()
   {
@@ -39,25 +40,27 @@ struct Residuals {
 
   bool is_measured(std::size_t s) const { return variance[s] >= 0.; }
 
-  /// Measures some of the sizes.
-  /// \param neighborhood the point itself and its nearest neighbors, nearest first, enough for these sizes
-  void measure(const Array<Point_3>& points, const std::vector<Neighbor>& neighborhood,
-               std::size_t first, std::size_t last)
+  /// Measures all sizes for which there are enough points.
+  /// \param neighborhood the point itself and its nearest neighbors, nearest first
+  void measure(const Array<Point_3>& points, const std::vector<Neighbor>& neighborhood)
   {
     std::vector<std::uint32_t> members;
-    for (std::size_t s = first; s < last && sizes[s] < neighborhood.size(); ++s) {
+    for (std::size_t s = 0; s < sizes.size() && sizes[s] < neighborhood.size(); ++s) {
       while (members.size() <= sizes[s])
         members.push_back(neighborhood[members.size()].index);
       radius[s] = std::sqrt(neighborhood[sizes[s]].squared_distance);
       const double half = neighborhood[sizes[s] / 2].squared_distance;
       growth[s] = half > 0. ? std::log(radius[s] / std::sqrt(half)) : 10.;
-      const double m = double(sizes[s] + 1), unknowns = 6.;
+      const double m = double(sizes[s] + 1), unknowns = double(Quadric_fit::unknowns);
       const double places = m / number_of_copies(neighborhood, sizes[s]);
       if (places < unknowns + 2.5)
         continue;
       // copies are not independent of each other
-      const double r = quadric_residual(points, members, radius[s]);
+      const Quadric_fit fit(points, members, radius[s]);
+      const double r = fit.deviation();
       variance[s] = r * r * ((m - unknowns) / m) * (places / (places - unknowns));
+      if (s + 1 == sizes.size())
+        excess_kurtosis = fit.excess_kurtosis();
     }
   }
 

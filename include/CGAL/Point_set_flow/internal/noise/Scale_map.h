@@ -26,7 +26,7 @@ class Scale_map {
   std::vector<Local_scale> m_scales;
 
 public:
-  static constexpr int number_of_loops = 10;
+  static constexpr int number_of_loops = 8;
 
   template <typename ConcurrencyTag>
   Scale_map(const Neighbor_tree& tree, const Array<Vector_3>& sides,
@@ -38,48 +38,36 @@ public:
     const Neighbor_graph near(m_tree, {pooled, 0., {}}, loops);
     const Layer_evidence layers(tree, m_sites, sides, scans, loops);
     std::vector<Residuals> residuals(m_sites.size());
-    std::vector<char> is_done(m_sites.size(), 0);
-    std::size_t first = 0;
-    // most samples do not need the large neighborhoods, which cost the most
-    for (const std::size_t last : {Residuals::steady + 1, Residuals::sizes.size()}) {
-      for_each_sample(loops, [&](std::size_t begin, std::size_t end) {
-        std::vector<std::uint32_t> sites;
-        for (std::size_t i = begin; i < end; ++i)
-          if (!is_done[i])
-            sites.push_back(m_sites[i]);
-        // those on the other side do not count
-        const std::size_t share = sides.empty() ? 1 : 2;
-        const Search_options nearest = {share * Residuals::sizes[last - 1]};
-        std::size_t i = begin;
-        std::vector<Neighbor> neighborhood;
-        Group_search(tree, nearest)(
-            sites.begin(), sites.end(), [&](const std::vector<std::uint32_t>& found, double) {
-              while (is_done[i])
-                ++i;
-              const std::uint32_t site = m_sites[i];
-              const bool is_sided = !sides.empty() && layers.trusts_sides(near, i);
-              neighborhood.assign(1, {0., site});
-              for (const std::uint32_t j : found)
-                if (!is_sided || sides[j] * sides[site] >= 0.)
-                  neighborhood.push_back(
-                      {squared_distance(tree.points()[site], tree.points()[j]), j});
-              std::sort(neighborhood.begin() + 1, neighborhood.end());
-              residuals[i++].measure(tree.points(), neighborhood, first, last);
-            });
-      });
-      for_each_sample(loops, [&](std::size_t begin, std::size_t end) {
-        Residual_pool pool(residuals, near);
-        for (std::size_t i = begin; i < end; ++i)
-          if (!is_done[i]) {
-            bool is_large;
-            m_scales[i] = pool.scale(i, last, is_large);
-            is_done[i] = is_large;
-            m_scales[i].trusts_sides = !sides.empty() && layers.trusts_sides(near, i);
-            m_scales[i].of_scans = scans.empty() ? 0. : layers.of_scans(near, i);
-          }
-      });
-      first = last;
-    }
+    for_each_sample(loops, [&](std::size_t begin, std::size_t end) {
+      // those on the other side do not count
+      const std::size_t share = sides.empty() ? 1 : 2;
+      const Search_options nearest = {share * Residuals::sizes.back()};
+      std::size_t i = begin;
+      std::vector<Neighbor> neighborhood;
+      Group_search(tree, nearest)(
+          m_sites.begin() + std::ptrdiff_t(begin), m_sites.begin() + std::ptrdiff_t(end),
+          [&](const std::vector<std::uint32_t>& found, double) {
+            const std::uint32_t site = m_sites[i];
+            const bool is_sided = !sides.empty() && layers.trusts_sides(near, i);
+            m_scales[i].trusts_sides = is_sided;
+            neighborhood.assign(1, {0., site});
+            for (const std::uint32_t j : found)
+              if (!is_sided || sides[j] * sides[site] >= 0.)
+                neighborhood.push_back(
+                    {squared_distance(tree.points()[site], tree.points()[j]), j});
+            std::sort(neighborhood.begin() + 1, neighborhood.end());
+            residuals[i++].measure(tree.points(), neighborhood);
+          });
+    });
+    for_each_sample(loops, [&](std::size_t begin, std::size_t end) {
+      Residual_pool pool(residuals, near);
+      for (std::size_t i = begin; i < end; ++i) {
+        const bool trusts_sides = m_scales[i].trusts_sides;
+        m_scales[i] = pool.scale(i);
+        m_scales[i].trusts_sides = trusts_sides;
+        m_scales[i].of_scans = scans.empty() ? 0. : layers.of_scans(near, i);
+      }
+    });
     steady(near, loops);
   }
 

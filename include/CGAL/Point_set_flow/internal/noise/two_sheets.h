@@ -51,6 +51,7 @@ void pool(const Neighbor_graph& graph, Array<Distance_moments>& moments,
 struct Sheet_fit {
   double noise;
   std::uint32_t size;
+  bool is_between; ///< whether the neighbors are those of two sheets
 
   /// \param moments of the distances from the tangent planes, in spacings
   /// \param found_noise around the point
@@ -59,7 +60,7 @@ struct Sheet_fit {
   /// \param is_sided whether the neighbors are all on one side: layers are one surface scanned twice
   Sheet_fit(const Distance_moments& moments, double found_noise, const Local_parameters& local,
             const Curvature_defaults& defaults, bool is_given, bool is_sided)
-      : noise(found_noise), size(local.size)
+      : noise(found_noise), size(local.size), is_between(false)
   {
     const double spacing = local.spacing;
     const auto share = [](double x, double low, double high) {
@@ -80,6 +81,10 @@ struct Sheet_fit {
     if (is_wall * between > 0. && !is_given)
       noise = (std::min)(noise, spacing * std::sqrt(variance * (1. - is_wall * between)));
 
+    // Around the sample there are two sheets, but the neighbors may still be those of one.
+    const double on_both = .2, likely = .5;
+    is_between = local.has_two_sheets && is_wall > likely && -excess > on_both;
+
     const double few = .4, fewest = 12.;
     if (local.least_size > fewest)
       return;
@@ -92,43 +97,56 @@ struct Sheet_fit {
   }
 };
 
+/// What suits each point
+struct Sheets {
+  Array<std::uint32_t> sizes; ///< of the neighborhoods
+  /// where neighborhoods hold two sheets, +-1 for points on the side of the normal and on the other; 0
+  /// elsewhere
+  Array<signed char> sides;
+};
+
 /// The number of loops of `fit_sheets()`
 constexpr int sheet_loops = 5;
 
-/// Finds the noise within the sheets of thin parts, and what neighborhoods suit them.
+/// Finds the noise within the sheets of thin parts, what neighborhoods suit them, and on which of
+/// two sheets a point is.
 /// \param surface with normals
 /// \param noise the noise around each point; is reduced on thin parts unless the caller gave it
-/// \return the number of neighbors that each point should have
 template <typename ConcurrencyTag>
-Array<std::uint32_t> fit_sheets(const Surface& surface, const Curvature_defaults& defaults,
-                                Array<double>& noise, bool is_given, Loops<ConcurrencyTag>& loops)
+Sheets fit_sheets(const Surface& surface, const Curvature_defaults& defaults, Array<double>& noise,
+                  bool is_given, Loops<ConcurrencyTag>& loops)
 {
   const std::size_t n = surface.size();
-  Array<std::uint32_t> sizes(n);
+  Sheets sheets{Array<std::uint32_t>(n), Array<signed char>(n)};
   Array<Distance_moments> moments(n);
   loops.for_each_chunk(n, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t i = begin; i < end; ++i)
-      if (surface.state.parameters(i).spacing > 0.)
-        moments[i] = Distance_moments(surface.neighborhood(i));
-      else
-        moments[i] = {0., 0.};
+    for (std::size_t i = begin; i < end; ++i) {
+      double height = 0.;
+      moments[i] = surface.state.parameters(i).spacing > 0.
+                       ? Distance_moments(surface.neighborhood(i), height)
+                       : Distance_moments(0., 0.);
+      sheets.sides[i] = height < 0. ? -1 : 1;
+    }
   });
   for (int i = 0; i < 3; ++i)
     pool(surface.graph, moments, loops);
   loops.for_each_chunk(n, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
       const Local_parameters& local = surface.state.parameters(i);
-      if (!(local.spacing > 0.)) {
-        sizes[i] = local.size;
-        continue;
+      sheets.sizes[i] = local.size;
+      bool is_between = false;
+      if (local.spacing > 0.) {
+        const Sheet_fit fit(moments[i], noise[i], local, defaults, is_given,
+                            surface.state.is_sided(i));
+        noise[i] = fit.noise;
+        sheets.sizes[i] = fit.size;
+        is_between = fit.is_between;
       }
-      const Sheet_fit fit(moments[i], noise[i], local, defaults, is_given,
-                          surface.state.is_sided(i));
-      noise[i] = fit.noise;
-      sizes[i] = fit.size;
+      if (!is_between)
+        sheets.sides[i] = 0;
     }
   });
-  return sizes;
+  return sheets;
 }
 
 } // namespace internal

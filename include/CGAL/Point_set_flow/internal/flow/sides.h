@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef CGAL_POINT_SET_FLOW_INTERNAL_FLOW_SIDES_H
+#define CGAL_POINT_SET_FLOW_INTERNAL_FLOW_SIDES_H
+
+#include <CGAL/license/Point_set_flow.h>
+
+#include <CGAL/Point_set_flow/internal/neighbors/Surface.h>
+
+#include <cstddef>
+#include <utility>
+
+namespace CGAL {
+namespace Point_set_flow {
+namespace internal {
+
+/// Takes the sides that the caller gave, where they are trusted.
+/// \param sides one for each point, null vectors where not known; empty if none is given
+inline void take_given_sides(Surface_state& state, Array<Vector_3>&& sides)
+{
+  bool is_any_trusted = false;
+  for (std::size_t i = 0; i < sides.size(); ++i) {
+    if (!state.parameters(i).trusts_sides)
+      sides[i] = NULL_VECTOR;
+    is_any_trusted = is_any_trusted || sides[i] != NULL_VECTOR;
+  }
+  if (is_any_trusted) // or else save memory
+    state.sides = std::move(sides);
+}
+
+/// Takes the sides that were found, where none is trusted: of two sheets, the direction from the
+/// middle between them to a point is the same for all points of one sheet, and opposite to that of the
+/// other's.
+/// \param sides +-1 for points on the side of the normal and on the other, 0 where there are no two
+///        sheets
+inline void take_found_sides(Surface_state& state, const Array<signed char>& sides)
+{
+  for (std::size_t i = 0; i < sides.size(); ++i) {
+    if (sides[i] == 0)
+      continue;
+    if (state.sides.empty())
+      state.sides = Array<Vector_3>(sides.size(), Vector_3(NULL_VECTOR));
+    if (sides[i] < 0)
+      state.normals[i] = -state.normals[i];
+    state.sides[i] = state.normals[i];
+  }
+}
+
+} // namespace internal
+} // namespace Point_set_flow
+} // namespace CGAL
+
+#endif // CGAL_POINT_SET_FLOW_INTERNAL_FLOW_SIDES_H
