@@ -1,14 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Command_line.h"
 
+#include "check_paths.h"
+#include "parse_options.h"
+
 #include <CGAL/Point_set_flow/Covariance_curvature.h>
 #include <CGAL/Point_set_flow/Tangent_plane_curvature.h>
 
 #include <algorithm>
 #include <cstddef>
-#include <set>
+#include <filesystem>
 #include <sstream>
-#include <system_error>
 
 namespace balanced_flow_smooth {
 
@@ -76,7 +78,7 @@ void Command_line::add_report_options(Option_group& group)
   group.add_options()
     ("dry-run,n", options::bool_switch(&m_settings.dry_run),
      "write no points; tell spacing, noise and the parameters that would be used")
-    ("json", options::value(&m_settings.report)->implicit_value("-")->value_name("FILE"),
+    ("json", options::value(&m_settings.report)->implicit_value(json_without_file)->value_name("FILE"),
      "write the report as JSON, to FILE if it is given (--json=FILE), else to standard output in place of the summary")
     ("quiet,q", options::bool_switch(&m_settings.quiet), "no progress bar, no summary, no warnings")
     ("help,h", "print this text")
@@ -115,7 +117,7 @@ void Command_line::add_smoothing_options(Option_group& group)
 void Command_line::add_hidden_options(Option_group& group)
 {
   group.add_options()
-    ("print-man", options::value<std::string>()->implicit_value("")->value_name("DATE"), "print the manual page")
+    ("print-man", options::value<std::string>()->implicit_value(man_without_date)->value_name("DATE"), "print the manual page")
     ("print-completion", options::value<std::string>()->value_name("SHELL"), "print the completion for a shell")
     ("file", options::value(&m_files), "");
 }
@@ -127,11 +129,8 @@ void Command_line::read(int argc, char** argv)
   for (const Option_group& group : groups)
     all.add(group);
   all.add(hidden);
-  options::positional_options_description positions;
-  positions.add("file", -1);
   try {
-    options::store(
-        options::command_line_parser(argc, argv).options(all).positional(positions).run(), m_given);
+    options::store(parse_options(argc, argv, all, "file"), m_given);
     options::notify(m_given);
   }
   catch (const options::error& e) {
@@ -155,6 +154,7 @@ Settings Command_line::settings()
   set_jobs();
   if (m_settings.report == "-" && m_settings.points_to_standard_output())
     throw Usage_error("the points go to standard output, so the report can not: use --json=FILE");
+  check_paths(m_settings);
   return m_settings;
 }
 
@@ -212,14 +212,11 @@ void Command_line::set_jobs()
 /// Each file becomes one in place or in the output directory.
 void Command_line::add_job_for_each_file()
 {
-  std::set<std::filesystem::path> outputs;
   for (const std::string& file : m_files) {
     if (file == "-")
       throw Usage_error("standard input has no place or name: write to - or a file");
     m_settings.jobs.push_back(
         {file, m_in_place ? std::filesystem::path(file) : in_directory(file), true});
-    if (!outputs.insert(m_settings.jobs.back().output).second)
-      throw Usage_error("two files would become " + m_settings.jobs.back().output.string());
   }
 }
 
@@ -230,9 +227,6 @@ std::filesystem::path Command_line::in_directory(const std::filesystem::path& fi
   std::filesystem::path output = std::filesystem::path(m_output_directory) / file.filename();
   if (m_settings.output_format)
     output.replace_extension("." + m_settings.output_format->name);
-  std::error_code ignored; // there may be no such file yet
-  if (std::filesystem::equivalent(file, output, ignored))
-    throw Usage_error(output.string() + " is the input itself: use --in-place");
   return output;
 }
 
