@@ -42,7 +42,7 @@ bool try_bytes(const std::string& bytes)
 {
   std::unique_ptr<Point_file> file;
   try {
-    file = read_point_bytes(bytes, nullptr, false);
+    file = read_point_bytes(bytes, nullptr, {});
   }
   catch (const std::exception&) { // says what is wrong
     return false;
@@ -70,7 +70,7 @@ bool try_bytes(const std::string& bytes)
       continue;
     }
     try {
-      require(read_point_bytes(written, &to, false)->points.size() == size,
+      require(read_point_bytes(written, &to, {})->points.size() == size,
               "the file has as many points as before");
     }
     catch (const std::exception& e) {

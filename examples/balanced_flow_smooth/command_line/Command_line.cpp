@@ -3,6 +3,7 @@
 
 #include "check_paths.h"
 #include "parse_options.h"
+#include "point_files/Layout.h"
 
 #include <CGAL/Point_set_flow/Covariance_curvature.h>
 #include <CGAL/Point_set_flow/Tangent_plane_curvature.h>
@@ -70,7 +71,11 @@ void Command_line::add_file_options(Option_group& group)
     ("output-format", options::value(&m_output_format)->value_name("FORMAT"),
      "the format of the output, whatever its name; files in DIR get its extension; "
      "by default that of the input for - and DIR")
-    ("normals", options::bool_switch(&m_settings.normals), "write normals even if the input has none");
+    ("columns", options::value(&m_columns)->value_name("NAMES"),
+     "what the columns of text are, whatever its header says, for instance x,y,z,nx,ny,nz or x,y,z,_,intensity; _ or "
+     "nothing: no name, and so are those that are left")
+    ("normals", options::bool_switch(&m_settings.normals),
+     "write normals even if the input has none, or some that are null vectors or NaN, which else stay");
 }
 
 void Command_line::add_report_options(Option_group& group)
@@ -91,7 +96,7 @@ void Command_line::add_smoothing_options(Option_group& group)
   group.add_options()
     ("noise", options::value(&m_noise)->value_name("LENGTH"),
      "standard deviation of the noise along the normals, in the unit of the data; by default estimated around each "
-     "point. It replaces the estimate")
+     "point. It replaces the estimate; with 0 nothing moves")
     ("neighbors,k", options::value(&m_k)->value_name("N"),
      "number of neighbors, 0: chosen for each point from the data, which is the default")
     ("neighbor-radius", options::value(&s.neighbor_radius)->value_name("LENGTH"),
@@ -150,6 +155,7 @@ Settings Command_line::settings()
   m_settings.threads = unsigned(m_threads);
   m_settings.input_format = point_files::find_format(m_format);
   m_settings.output_format = point_files::find_format(m_output_format);
+  set_columns();
   set_smoothing();
   set_jobs();
   if (m_settings.report == "-" && m_settings.points_to_standard_output())
@@ -158,9 +164,25 @@ Settings Command_line::settings()
   return m_settings;
 }
 
+void Command_line::set_columns()
+{
+  if (!has("columns"))
+    return;
+  std::istringstream names(m_columns);
+  for (std::string name; std::getline(names, name, ',');)
+    m_settings.columns.push_back(name);
+  try {
+    const point_files::Layout layout(m_settings.columns);
+  }
+  catch (const std::exception& e) {
+    throw Usage_error("--columns is \"" + m_columns + "\": " + e.what());
+  }
+}
+
 void Command_line::set_smoothing()
 {
   Smoothing_settings& s = m_settings.smoothing;
+  s.fills_normals = m_settings.normals;
   const flows::Curvature_defaults defaults = s.is_paper_estimator()
                                                  ? flows::Curvature_defaults()
                                                  : flows::Tangent_plane_curvature::defaults();
@@ -173,10 +195,10 @@ void Command_line::set_smoothing()
   if (!has("step-length"))
     s.step_length = defaults.step_length;
   if (has("noise")) {
-    if (!(m_noise > 0.)) {
+    if (!(m_noise >= 0.)) {
       std::ostringstream message;
       message << "--noise is " << m_noise
-              << ", but must be positive; without it the noise is estimated";
+              << ", but must not be negative; without it the noise is estimated";
       throw Usage_error(message.str());
     }
     s.noise = m_noise;

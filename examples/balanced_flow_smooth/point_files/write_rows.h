@@ -37,8 +37,14 @@ void write_rows(std::ostream& out, const Point_file& file, const Append& append,
   });
 }
 
-/// Lines of text with blanks between the numbers
-void write_text_rows(std::ostream& out, const Point_file& file);
+/// Lines of text with a separator between the numbers
+void write_text_rows(std::ostream& out, const Point_file& file, char separator = ' ');
+
+/// What is in these lines, for the line before them
+std::string names_of_rows(const Point_file& file, char separator = ' ');
+
+/// A name without what ends words in any of our formats
+std::string to_word(std::string name);
 
 } // namespace point_files
 

@@ -106,7 +106,8 @@ import json
 r = json.load(open("report.json"))
 assert r["program"] == "balanced-flow-smooth" and not r["dry_run"], r
 good, bad = r["files"]
-assert good["status"] == "ok" and good["points"] == 5210 and good["normals"] and good["format"] == "xyz", good
+assert good["status"] == "ok" and good["points"] == 5210 and good["format"] == "xyz", good
+assert not good["normals"] and good["columns"] == {"x": 1, "y": 2, "z": 3} and "look like normals" in good["warnings"][0], good
 assert 0 <= good["noise"] < good["spacing"] and 0 < good["mean_movement"] < 3 * good["spacing"], good
 p = good["parameters"]
 assert 12 <= p["neighbors"]["fewest"] <= p["neighbors"]["most"] <= 128 and p["iterations"] == 5, p
