@@ -4,28 +4,35 @@
 #include <algorithm>
 #include <cctype>
 #include <cmath>
+#include <iomanip>
 #include <limits>
 #include <optional>
+#include <sstream>
 
 namespace point_files {
 
 namespace {
 
-/// How many digits there are from the first to the last that is not 0, without the exponent
-int significant_digits(const std::string& word)
+/// The digits from the first to the last that is not 0, without the exponent
+std::string significant_digits(const std::string& word)
 {
-  int digits = 0, zeros = 0;
-  for (const char c : word) {
-    if (c == 'e' || c == 'E')
-      break;
-    if (!std::isdigit(static_cast<unsigned char>(c)))
-      continue;
-    if (c == '0')
-      zeros += digits != 0;
-    else
-      digits += zeros + 1, zeros = 0;
-  }
+  std::string digits;
+  for (const char c : word.substr(0, word.find_first_of("eE")))
+    if (std::isdigit(static_cast<unsigned char>(c)) && !(digits.empty() && c == '0'))
+      digits += c;
+  digits.erase(digits.find_last_not_of('0') + 1);
   return digits;
+}
+
+/// Whether a word has digits that a `double` would not give back
+bool has_more_digits(const std::string& word, double number)
+{
+  const std::string digits = significant_digits(word);
+  if (digits.size() <= std::size_t(std::numeric_limits<double>::digits10))
+    return false;
+  std::ostringstream again;
+  again << std::scientific << std::setprecision(int(digits.size()) - 1) << number;
+  return significant_digits(again.str()) != digits;
 }
 
 bool fits_double(std::uint64_t number) { return number <= std::uint64_t(1) << 53; }
@@ -40,9 +47,8 @@ void Column_types::add(std::size_t i, const std::string& word)
     return;
   if (const auto* real = std::get_if<double>(&*number)) {
     column.has_reals = true;
-    // a double has 17 digits if it was written as one
     column.loses_digits =
-        column.loses_digits || (std::isfinite(*real) && significant_digits(word) > 17);
+        column.loses_digits || (std::isfinite(*real) && has_more_digits(word, *real));
   }
   else if (const auto* integer = std::get_if<std::int64_t>(&*number)) {
     column.smallest = (std::min)(column.smallest, *integer);
