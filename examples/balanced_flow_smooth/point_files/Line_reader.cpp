@@ -13,8 +13,7 @@ std::size_t size_of_mark(const std::string& bytes)
 }
 
 Line_reader::Line_reader(const Place& place, char separator)
-    : m_place(place), m_separator(separator),
-      m_line_feed((std::min)(place.bytes->find('\n', place.at), place.bytes->size()))
+    : m_place(place), m_separator(separator)
 {
   if (m_place.at == 0)
     m_place.at = size_of_mark(*m_place.bytes);
@@ -25,7 +24,7 @@ bool Line_reader::next_line(Field& line)
   const std::string& bytes = *m_place.bytes;
   if (m_place.at >= bytes.size())
     return false;
-  if (m_line_feed < m_place.at) // searched once for many lines that end with CR
+  if (m_line_feed <= m_place.at) // searched once for many lines that end with CR
     m_line_feed = (std::min)(bytes.find('\n', m_place.at), bytes.size());
   const auto begin = bytes.begin() + std::ptrdiff_t(m_place.at);
   const auto end = std::find(begin, bytes.begin() + std::ptrdiff_t(m_line_feed), '\r');

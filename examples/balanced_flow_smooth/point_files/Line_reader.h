@@ -34,7 +34,7 @@ struct Text_style {
 class Line_reader {
   Place m_place;
   char m_separator;
-  std::size_t m_line_feed; // the next one, or the end of the file
+  std::size_t m_line_feed = 0; // the next one, or the end of the file; not known up to this place
 
 public:
   explicit Line_reader(const Place& place, char separator = ' ');

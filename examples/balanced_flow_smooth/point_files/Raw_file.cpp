@@ -54,6 +54,9 @@ Raw_file::Raw_file(Anatomy file) : m_file(std::move(file))
   load(count, m_file.layout.has_normals());
   roles = m_file.layout.roles();
   roles_source = m_file.layout_source;
+  for (const std::size_t p : m_file.layout.coordinates())
+    if (is_integer(m_file.layout.properties()[p].type) && warnings.empty())
+      warnings.push_back("coordinates are integers: points are rounded to them in this format");
 }
 
 /// Calls a function with a cursor for the records of each block, their number and the number of those

@@ -21,12 +21,13 @@ std::string names_of_rows(const Point_file& file, char separator)
   for (const std::string& name : default_names(3, !file.normals.empty()))
     names += (names.empty() ? "" : std::string(1, separator)) + name;
   for (const Property& column : file.columns())
-    names += separator + to_word(column.name);
+    names += separator + column_name(column);
   return names;
 }
 
-std::string to_word(std::string name)
+std::string column_name(const Property& column)
 {
+  std::string name = (role_of(column.name).empty() ? "" : "other_") + column.name;
   std::replace_if(
       name.begin(), name.end(),
       [](unsigned char c) { return c <= ' ' || c == ',' || c == ';' || c == '"' || c == '#'; },

@@ -43,8 +43,9 @@ void write_text_rows(std::ostream& out, const Point_file& file, char separator =
 /// What is in these lines, for the line before them
 std::string names_of_rows(const Point_file& file, char separator = ' ');
 
-/// A name without what ends words in any of our formats
-std::string to_word(std::string name);
+/// The name of a column, without what ends words in any of our formats, and none of those that
+/// coordinates and normals have
+std::string column_name(const Property& column);
 
 } // namespace point_files
 

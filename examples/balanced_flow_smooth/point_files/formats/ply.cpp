@@ -104,7 +104,7 @@ void write_ply(const Target& target, const Point_file& file)
     if (!file.normals.empty())
       out << "property " << type << ' ' << name << '\n';
   for (const Property& column : file.columns())
-    out << "property " << name_of(column.type) << ' ' << to_word(column.name) << '\n';
+    out << "property " << name_of(column.type) << ' ' << column_name(column) << '\n';
   out << "end_header\n";
   const bool swapped = !is_little_endian();
   const auto append = [swapped](std::string& row, Scalar number_type, const Number& number) {
