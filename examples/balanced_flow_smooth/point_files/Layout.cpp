@@ -58,13 +58,10 @@ Layout::Layout(std::vector<Property> properties) : m_properties(std::move(proper
     throw std::runtime_error("x, y and z must be there, and be numbers and no lists");
   m_has_normals = find(normal_roles, m_normals);
   const auto is_part = [](const Property& p) {
-    return p.name == "nx" || p.name == "ny" || p.name == "nz";
+    return role_of(p.name)[0] == 'n' && !is_unsigned(p.type);
   };
   if (!m_has_normals && std::any_of(m_properties.begin(), m_properties.end(), is_part))
     throw std::runtime_error("nx, ny and nz must be there together, and be numbers and no lists");
-  const auto has_sign = [this](std::size_t i) { return !is_unsigned(m_properties[i].type); };
-  // what code unsigned numbers have is not known: they stay as they are
-  m_has_normals = m_has_normals && std::all_of(m_normals.begin(), m_normals.end(), has_sign);
 }
 
 Layout::Layout(const std::vector<std::string>& names) : Layout(to_columns(names)) {}
@@ -112,11 +109,17 @@ std::vector<std::size_t> Layout::others() const
 }
 
 /// Finds the properties of three roles: by the exact names, or else by names that mean the same.
+/// Unsigned numbers are no normals: what code they have is not known, so they stay as they are.
 bool Layout::find(const std::array<const char*, 3>& roles, std::array<std::size_t, 3>& places) const
 {
   for (std::size_t c = 0; c < 3; ++c) {
-    const auto is_exact = [&](const Property& p) { return p.name == roles[c]; };
-    const auto means_it = [&](const Property& p) { return role_of(p.name) == roles[c]; };
+    const auto is_possible = [&](const Property& p) {
+      return roles != normal_roles || !is_unsigned(p.type);
+    };
+    const auto is_exact = [&](const Property& p) { return p.name == roles[c] && is_possible(p); };
+    const auto means_it = [&](const Property& p) {
+      return role_of(p.name) == roles[c] && is_possible(p);
+    };
     const auto begin = m_properties.begin(), end = m_properties.end();
     auto count = std::count_if(begin, end, is_exact);
     const bool by_name = count != 0;

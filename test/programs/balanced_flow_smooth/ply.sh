@@ -102,6 +102,7 @@ cases named_normals x,y,z,normal_x,normal_y,normal_z "${xyz[@]}" "float normal_x
 cases small_and_capital x,y,z "int X" "int Y" "int Z" "${xyz[@]}"
 cases char_normals x,y,z,nx,ny,nz "${xyz[@]}" "char nx" "char ny" "char nz"
 cases byte_normals x,y,z "${xyz[@]}" "uchar nx" "uchar ny" "uchar nz"
+check "new normals beside them have another name" bash -c "'$program' byte_normals.ply n.ply -q --noise 0.02 --normals && '$program' -n n.ply | grep -q 'nx 4, ny 5, nz 6' && '$program' n.ply n.csv -q --iterations 0 && head -1 n.csv | grep -qx x,y,z,nx,ny,nz,other_nx,other_ny,other_nz"
 noise=200 cases int_points x,y,z "int x" "int y" "int z" "uint64 key"
 noise=20 cases short_points x,y,z "int16 x" "int16 y" "int16 z"
 noise=2e10 cases int64_points x,y,z "int64 x" "int64 y" "int64 z"

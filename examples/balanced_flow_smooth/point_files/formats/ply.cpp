@@ -5,11 +5,13 @@
 #include "Ply_header.h"
 #include "all_formats.h"
 
+#include <algorithm>
 #include <cstddef>
 #include <memory>
 #include <stdexcept>
 #include <string>
 #include <utility>
+#include <vector>
 
 namespace point_files {
 
@@ -58,6 +60,27 @@ void skip_element(const Ply_element& element, Encoding encoding, bool by_lines, 
   }
 }
 
+/// Takes an element for the points.
+void take_points(const Ply_element& element, const std::string& end_of_line, const Place& place,
+                 Anatomy& file)
+{
+  const std::vector<Property>& properties = element.properties;
+  file.layout = Layout(properties);
+  file.layout_source = "the names of the properties";
+  file.blocks = {{place, element.count}};
+  for (const Property& property : properties)
+    if (property.count_type)
+      file.losses.push_back("the lists " + property.name);
+
+  const std::string type = name_of(file.layout.normal_type());
+  const auto is_taken = [](const Property& p) { return role_of(p.name)[0] == 'n'; };
+  const bool is_any_taken = std::any_of(properties.begin(), properties.end(), is_taken);
+  file.normals_header.first = element.property_ends[file.layout.last_coordinate()];
+  for (const char axis : {'x', 'y', 'z'})
+    file.normals_header.second +=
+        "property " + type + (is_any_taken ? " normal_" : " n") + axis + end_of_line;
+}
+
 Anatomy parse(std::string bytes)
 {
   Anatomy file;
@@ -69,24 +92,12 @@ Anatomy parse(std::string bytes)
   bool has_points = false;
   for (const Ply_element& element : header.elements) {
     const bool is_point = element.has_points() && !has_points;
-    if (!is_point)
+    if (is_point)
+      take_points(element, header.end_of_line, place, file);
+    else
       file.losses.push_back("the PLY element " + element.name);
-    else {
-      has_points = true;
-      file.layout = Layout(element.properties);
-      file.layout_source = "the names of the properties";
-      file.blocks = {{place, element.count}};
-      const Layout& layout = file.layout;
-      const std::string end_of_line = header.end_of_line;
-      const std::string type = name_of(layout.normal_type());
-      file.normals_header.first = element.property_ends[layout.last_coordinate()];
-      for (const char* name : {"nx", "ny", "nz"})
-        file.normals_header.second += "property " + type + " " + name + end_of_line;
-      for (const Property& property : element.properties)
-        if (property.count_type)
-          file.losses.push_back("the lists " + property.name);
-    }
-    skip_element(element, file.encoding, has_points && !is_point, place);
+    skip_element(element, file.encoding, has_points, place);
+    has_points = has_points || is_point;
   }
   if (!has_points)
     throw std::runtime_error("there are no points in it");
