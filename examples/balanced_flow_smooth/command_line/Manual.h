@@ -71,6 +71,8 @@ inline const std::vector<std::string> on_formats = {
     "NormalX and so on, or if the format is pwn. The summary tells what was taken for what. "
     "Normals "
     "that are null vectors or not finite are not known, and stay; --normals fills them.",
+    "Points whose coordinates are not finite are an error, unless --invalid keeps them in their "
+    "places or drops them. They are not counted as points in the report, but on their own.",
     "Lines end with LF, CR or both. Text in UTF-16 is refused.",
     "In PLY, integer coordinates are rounded, and integer normals keep their length; normals of "
     "unsigned integers stay as they are.",

@@ -7,6 +7,7 @@
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <filesystem>
 #include <functional>
@@ -47,6 +48,11 @@ public:
   std::vector<std::pair<std::string, std::size_t>> roles;
   std::string roles_source;
 
+  std::vector<std::size_t> invalid; // which points are none, ascending; they are not smoothed
+  bool drops_invalid = false;       // whether these are not written
+  bool defines_invalid = false;     // whether the format has a meaning for them
+  bool zeros_are_invalid = false;   // whether it means them by (0, 0, 0)
+
   virtual ~Point_file() = default;
 
   /// Writes the file with the points, and with the normals if there are any, that are now here;
@@ -64,11 +70,20 @@ public:
   virtual std::vector<std::string> losses() const = 0;
   virtual Scalar coordinate_type() const = 0;
 
+  std::size_t number_of_points_to_write() const
+  {
+    return points.size() - (drops_invalid ? invalid.size() : 0);
+  }
+  bool is_dropped(std::size_t i) const
+  {
+    return drops_invalid && std::binary_search(invalid.begin(), invalid.end(), i);
+  }
+
   void add_normals() { normals.resize(points.size(), CGAL::NULL_VECTOR); }
 
 protected:
   /// Reads the points, and the normals if there are any; throws `std::runtime_error` if there are no
-  /// points, or if they are not finite.
+  /// points.
   void load(std::size_t count, bool with_normals);
 };
 

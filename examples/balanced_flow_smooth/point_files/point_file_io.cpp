@@ -2,6 +2,7 @@
 #include "point_file_io.h"
 
 #include "Temporary_file.h"
+#include "invalid_points.h"
 
 #include <algorithm>
 #include <cstddef>
@@ -90,6 +91,7 @@ std::unique_ptr<Point_file> read_point_bytes(std::string bytes, const Format* fo
   check_use(*format, options);
   std::unique_ptr<Point_file> file = format->read(std::move(bytes), options);
   file->format = format;
+  find_invalid_points(*file, options);
   return file;
 }
 
@@ -106,6 +108,7 @@ std::unique_ptr<Point_file> read_point_file(const std::filesystem::path& path, c
       return read_point_bytes(read_bytes(path), format, options);
     std::unique_ptr<Point_file> file = format->read_path(path, options);
     file->format = format;
+    find_invalid_points(*file, options);
     return file;
   }
   catch (const std::bad_alloc&) {
@@ -141,6 +144,9 @@ void warn_of_losses(Point_file& file, const Format& format)
 {
   if (are_of_one_family(*file.format, format))
     return;
+  if (!file.invalid.empty() && !file.drops_invalid)
+    file.warnings.push_back(std::to_string(file.invalid.size()) + " invalid points are in the " +
+                            format.name + ", too: --invalid drop leaves them out");
   for (const std::string& loss : file.losses())
     file.warnings.push_back(loss + " can not be kept in the format " + format.name);
   if (!file.columns().empty() && !format.columns_warning.empty())

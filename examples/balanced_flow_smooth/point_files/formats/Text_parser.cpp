@@ -65,7 +65,7 @@ void Text_parser::begin_block(const Line_reader& lines, const Field& word)
   m_announcement = lines.place().line;
   if (m_file.blocks.back().count != 0)
     m_file.blocks.emplace_back();
-  m_file.blocks.back().first = lines.place();
+  m_file.blocks.back() = {lines.place(), 0, word};
 }
 
 void Text_parser::end_block() const

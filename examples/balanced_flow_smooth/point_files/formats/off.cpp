@@ -7,6 +7,7 @@
 #include <cmath>
 #include <cstddef>
 #include <memory>
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -49,6 +50,8 @@ Anatomy parse(std::string bytes)
     lines.split(line, words);
   }
   std::size_t counts[2] = {0, 0};
+  const std::optional<Field> count_field =
+      words.empty() ? std::nullopt : std::optional<Field>(words[0]);
   for (std::size_t i = 0; i < 2 && i < words.size(); ++i) {
     const double count = lines.number(words[i]);
     if (!(count >= 0. && count <= double(file.bytes.size()) && std::floor(count) == count))
@@ -56,7 +59,7 @@ Anatomy parse(std::string bytes)
                  (i == 0 ? " points" : " faces"));
     counts[i] = std::size_t(count);
   }
-  file.blocks = {{lines.place(), counts[0]}};
+  file.blocks = {{lines.place(), counts[0], count_field}};
 
   std::size_t width = 0;
   for (std::size_t i = 0; i < counts[0]; ++i) {
@@ -83,6 +86,7 @@ Anatomy parse(std::string bytes)
                                std::to_string(counts[1]) + " faces");
   if (counts[1] != 0)
     file.losses.push_back("the faces");
+  file.has_references = counts[1] != 0;
   return file;
 }
 
@@ -106,7 +110,8 @@ Format off_format()
     return std::make_unique<Raw_file>(parse(std::move(bytes)));
   };
   format.write = [](const Target& target, const Point_file& file) {
-    target.out << (file.normals.empty() ? "OFF\n" : "NOFF\n") << file.points.size() << " 0 0\n";
+    target.out << (file.normals.empty() ? "OFF\n" : "NOFF\n") << file.number_of_points_to_write()
+               << " 0 0\n";
     write_text_rows(target.out, file);
   };
   return format;

@@ -96,7 +96,7 @@ Format pts_format()
   format.write = [](const Target& target, const Point_file& file) {
     if (!file.normals.empty()) // they would pass for colors
       target.out << "# " << names_of_rows(file) << '\n';
-    target.out << file.points.size() << '\n';
+    target.out << file.number_of_points_to_write() << '\n';
     write_text_rows(target.out, file);
   };
   return format;
