@@ -71,7 +71,7 @@ bool run(const Settings& settings, File_report& report)
   report.roles_source = file->roles_source;
 
   if (settings.normals)
-    file->add_normals();
+    file->add_normals(settings.smoothing.makes_steps());
 
   point_files::Set_aside invalid_points(*file);
   CGAL::Real_timer timer;
@@ -81,7 +81,8 @@ bool run(const Settings& settings, File_report& report)
   if (settings.dry_run)
     smoothing = analyze(file->points, settings.smoothing, progress);
   else
-    smooth(file->points, file->normals, settings.smoothing, progress, smoothing);
+    smooth(file->points, file->normals.empty() ? file->sides : file->normals, settings.smoothing,
+           progress, smoothing);
   if (interrupt != 0)
     return false;
   invalid_points.put_back();

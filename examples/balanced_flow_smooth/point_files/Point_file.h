@@ -41,6 +41,8 @@ public:
   const Format* format = nullptr; // which this file is one of, set by `read_point_file()`
   std::vector<Point_3> points;
   std::vector<Vector_3> normals; // empty if there are none
+  /// vectors from the points to the scanner, null where it is not known; empty if it is for none
+  std::vector<Vector_3> sides;
   std::vector<std::string> warnings;
 
   /// what was taken for coordinates and normals: the numbers of columns or properties, from 1 on, and
@@ -79,7 +81,14 @@ public:
     return drops_invalid && std::binary_search(invalid.begin(), invalid.end(), i);
   }
 
-  void add_normals() { normals.resize(points.size(), CGAL::NULL_VECTOR); }
+  /// Makes room for normals if there are none.
+  /// \param with_sides whether they begin as the sides, if these are known
+  void add_normals(bool with_sides = false)
+  {
+    if (normals.empty() && with_sides)
+      normals = sides;
+    normals.resize(points.size(), CGAL::NULL_VECTOR);
+  }
 
 protected:
   /// Reads the points, and the normals if there are any; throws `std::runtime_error` if there are no

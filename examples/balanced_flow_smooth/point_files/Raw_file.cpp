@@ -26,11 +26,27 @@ Raw_file::Raw_file(Anatomy file) : m_file(std::move(file))
   }
   std::sort(m_changing.begin(), m_changing.end());
   load(count, m_file.layout.has_normals());
+  find_sides();
   roles = m_file.layout.roles();
   roles_source = m_file.layout_source;
   for (const std::size_t p : m_file.layout.coordinates())
     if (is_integer(m_file.layout.properties()[p].type) && warnings.empty())
       warnings.push_back("coordinates are integers: points are rounded to them in this format");
+}
+
+/// Makes sides of the places of the scanners.
+void Raw_file::find_sides()
+{
+  std::size_t i = 0;
+  for (const Block& block : m_file.blocks) {
+    if (block.frame && sides.empty())
+      sides.resize(points.size(), CGAL::NULL_VECTOR);
+    for (std::size_t k = 0; k < block.count; ++k, ++i)
+      if (block.frame && points[i] != Point_3(CGAL::ORIGIN)) {
+        const Scan_frame::Triple& p = block.frame->position();
+        sides[i] = Point_3(p[0], p[1], p[2]) - points[i];
+      }
+  }
 }
 
 void Raw_file::for_each_record(bool with_values, const Visitor& visit) const
@@ -43,10 +59,11 @@ void Raw_file::for_each_record(bool with_values, const Visitor& visit) const
       layout.has_normals() && is_integer(properties[layout.normals()[0]].type);
   Record record = {{0., 0., 0.}, {0., 0., 0.}, std::vector<Number>(others.size())};
   for_each_fields([&](const auto& cursor, const std::vector<Field>& fields, std::size_t,
-                      const Block&, std::size_t) {
+                      const Block& block, std::size_t) {
     const auto value = [&](std::size_t p) { return cursor.value(fields[p], properties[p].type); };
-    for (std::size_t c = 0; c < 3; ++c)
-      record.coordinates[c] = value(layout.coordinates()[c]);
+    const Scan_frame::Triple p = coordinates(cursor, fields);
+    const Scan_frame::Triple shared = block.frame ? block.frame->to_shared(p) : p;
+    std::copy(shared.begin(), shared.end(), record.coordinates);
     for (std::size_t c = 0; layout.has_normals() && c < 3; ++c)
       record.normal[c] = value(layout.normals()[c]);
     if (has_integer_normals) {

@@ -6,9 +6,11 @@
 #include "Line_reader.h"
 #include "Point_file.h"
 #include "Record_cursor.h"
+#include "Scan_frame.h"
 
 #include <cmath>
 #include <cstddef>
+#include <memory>
 #include <optional>
 #include <stdexcept>
 #include <string>
@@ -26,7 +28,8 @@ bool is_little_endian();
 struct Block {
   Place first; // where they begin
   std::size_t count = 0;
-  std::optional<Field> count_field = std::nullopt; // where the count is in the file
+  std::optional<Field> count_field = std::nullopt;   // where the count is in the file
+  std::shared_ptr<const Scan_frame> frame = nullptr; // of a scan; null: all points share theirs
 };
 
 /// What the readers of the formats find out about the bytes of a file
@@ -40,7 +43,8 @@ struct Anatomy {
   std::vector<Block> blocks; // the points
   std::pair<std::size_t, std::string> normals_header; // what announces new normals, and where
   std::vector<std::string> losses;                    // what other formats can not take
-  bool has_references = false; // whether there may be numbers of points, which must not change
+  std::string obstacle_to_dropping; // why no points may be dropped; empty if they may
+  bool has_place_for_normals = true;
 };
 
 /// A file that is kept as its bytes, of which only the numbers that change are replaced.
@@ -70,12 +74,15 @@ private:
   template <typename Cursor>
   double length_of_normal(const Cursor& cursor, const std::vector<Field>& fields) const;
   template <typename Cursor>
+  Scan_frame::Triple coordinates(const Cursor& cursor, const std::vector<Field>& fields) const;
+  template <typename Cursor>
   void write_record(const Cursor& cursor, const std::vector<Field>& fields, std::size_t i,
-                    Output& out) const;
+                    const Scan_frame* frame, Output& out) const;
   void write_count(const Block& block, std::size_t before, Output& out) const;
   void write_header_of_normals(Output& out) const;
   void drop_record(std::size_t begin, std::size_t end, Output& out) const;
   const Column_types& column_types() const;
+  void find_sides();
 };
 
 /// Goes through the records: `visit(cursor, fields, i, block, before)`, where there are `before` points
@@ -103,6 +110,19 @@ void Raw_file::for_each_fields(const Visit& visit) const
           block);
     before += block.count;
   }
+}
+
+/// The coordinates of a record, as they are in the file
+template <typename Cursor>
+Scan_frame::Triple Raw_file::coordinates(const Cursor& cursor,
+                                         const std::vector<Field>& fields) const
+{
+  Scan_frame::Triple p;
+  for (std::size_t c = 0; c < 3; ++c) {
+    const std::size_t place = m_file.layout.coordinates()[c];
+    p[c] = cursor.value(fields[place], m_file.layout.properties()[place].type);
+  }
+  return p;
 }
 
 /// How long the normal of a record is in the file: integers stand for a unit vector in some scale.

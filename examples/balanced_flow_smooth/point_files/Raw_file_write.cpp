@@ -63,13 +63,18 @@ void Raw_file::drop_record(std::size_t begin, std::size_t end, Output& out) cons
 /// Writes the bytes up to the end of a record, with the point and the normal that are now here.
 template <typename Cursor>
 void Raw_file::write_record(const Cursor& cursor, const std::vector<Field>& fields, std::size_t i,
-                            Output& out) const
+                            const Scan_frame* frame, Output& out) const
 {
   const Layout& layout = m_file.layout;
+  Scan_frame::Triple point = {points[i].x(), points[i].y(), points[i].z()};
+  if (frame) {
+    const Scan_frame::Triple before = coordinates(cursor, fields);
+    point = point == frame->to_shared(before) ? before : frame->to_own(point);
+  }
   for (const auto& [p, c] : m_changing) {
     const Scalar type = layout.properties()[p].type;
     const double before = cursor.value(fields[p], type);
-    double now = c < 3 ? points[i][int(c)] : normals[i][int(c) - 3];
+    double now = c < 3 ? point[c] : normals[i][int(c) - 3];
     if (is_integer(type)) {
       if (c >= 3) {
         const double length = length_of_normal(cursor, fields);
@@ -95,10 +100,10 @@ void Raw_file::write_record(const Cursor& cursor, const std::vector<Field>& fiel
 
 void Raw_file::write(const Target& target) const
 {
-  if (drops_invalid && m_file.has_references)
-    throw std::runtime_error(
-        "no points can be dropped: other parts of the file, such as faces, may "
-        "tell points by their number");
+  if (drops_invalid && !m_file.obstacle_to_dropping.empty())
+    throw std::runtime_error("no points can be dropped: " + m_file.obstacle_to_dropping);
+  if (!normals.empty() && !m_file.has_place_for_normals)
+    throw std::runtime_error("the format has no place for normals");
   Output out = {m_file.bytes, target.out};
   bool has_new_normals = !normals.empty() && !m_file.layout.has_normals();
   const auto write_head = [&](const Block& block, std::size_t before) {
@@ -119,7 +124,7 @@ void Raw_file::write(const Target& target) const
     if (is_dropped(i))
       drop_record(fields.front().begin, cursor.place().at, out);
     else
-      write_record(cursor, fields, i, out);
+      write_record(cursor, fields, i, block.frame.get(), out);
   });
   out.flush();
   target.out.write(m_file.bytes.data() + out.done, std::streamsize(m_file.bytes.size() - out.done));

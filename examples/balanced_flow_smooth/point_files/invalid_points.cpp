@@ -78,7 +78,7 @@ void find_invalid_points(Point_file& file, const Read_options& options)
 
 Set_aside::Set_aside(Point_file& file)
     : m_file(file), m_points(take_out(file.points, file.invalid)),
-      m_normals(take_out(file.normals, file.invalid))
+      m_normals(take_out(file.normals, file.invalid)), m_sides(take_out(file.sides, file.invalid))
 {}
 
 void Set_aside::put_back()
@@ -86,6 +86,8 @@ void Set_aside::put_back()
   put_in(m_file.points, m_file.invalid, m_points);
   if (!m_normals.empty())
     put_in(m_file.normals, m_file.invalid, m_normals);
+  if (!m_sides.empty())
+    put_in(m_file.sides, m_file.invalid, m_sides);
 }
 
 } // namespace point_files

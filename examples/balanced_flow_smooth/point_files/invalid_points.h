@@ -20,7 +20,7 @@ void find_invalid_points(Point_file& file, const Read_options& options);
 class Set_aside {
   Point_file& m_file;
   std::vector<Point_3> m_points;
-  std::vector<Vector_3> m_normals;
+  std::vector<Vector_3> m_normals, m_sides;
 
 public:
   explicit Set_aside(Point_file& file);

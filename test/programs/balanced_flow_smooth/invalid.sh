@@ -63,7 +63,7 @@ printf 'nan 0 0\n' > all.xyz
 check "nothing is left" fails_with 2 "all of its points are invalid" "$program" all.xyz no.xyz --invalid drop
 check "nothing to smooth" bash -c "'$program' all.xyz same.xyz -q --invalid keep && cmp all.xyz same.xyz"
 printf 'OFF\n4 1 0\n0 0 0\n1 0 0\n0 1 0\nnan 0 0\n3 0 1 2\n' > faces.off
-check "no points of a mesh are dropped" fails_with 2 "no points can be dropped: other parts of the file, such as faces" "$program" faces.off no.off --invalid drop
+check "no points of a mesh are dropped" fails_with 2 "no points can be dropped: the faces tell points by their number" "$program" faces.off no.off --invalid drop
 check "an action that is none" fails_with 1 'no invalid "hide"' "$program" holes.csv no.csv --invalid hide
 check "failed runs leave no file" bash -c '! ls no.* *.part 2> /dev/null'
 echo "all checks passed"

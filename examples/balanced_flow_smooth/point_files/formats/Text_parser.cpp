@@ -133,4 +133,14 @@ void Text_parser::set_layout(Default_names names)
     m_file.normals_header.second += m_head.name_separator + std::string(name);
 }
 
+std::vector<std::string> names_of_scan_columns(std::size_t width)
+{
+  std::vector<std::string> names = {"x", "y", "z"};
+  if (width == 4 || width == 7)
+    names.push_back("intensity");
+  if (width == 6 || width == 7)
+    names.insert(names.end(), {"red", "green", "blue"});
+  return names.size() == width ? names : default_names(width, false);
+}
+
 } // namespace point_files

@@ -54,6 +54,9 @@ private:
   void set_layout(Default_names names);
 };
 
+/// The names of the columns of Leica's formats: an intensity, a color, or both; else `default_names()`
+std::vector<std::string> names_of_scan_columns(std::size_t width);
+
 } // namespace point_files
 
 #endif // POINT_FILES_TEXT_PARSER_H

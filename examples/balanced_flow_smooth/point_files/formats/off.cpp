@@ -84,9 +84,10 @@ Anatomy parse(std::string bytes)
     if (!lines.next(line))
       throw std::runtime_error("the file ends after " + std::to_string(i) + " of " +
                                std::to_string(counts[1]) + " faces");
-  if (counts[1] != 0)
+  if (counts[1] != 0) {
     file.losses.push_back("the faces");
-  file.has_references = counts[1] != 0;
+    file.obstacle_to_dropping = "the faces tell points by their number";
+  }
   return file;
 }
 

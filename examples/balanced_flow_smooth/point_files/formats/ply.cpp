@@ -96,7 +96,8 @@ Anatomy parse(std::string bytes)
       take_points(element, header.end_of_line, place, file);
     else
       file.losses.push_back("the PLY element " + element.name);
-    file.has_references = file.has_references || (!is_point && element.count != 0);
+    if (!is_point && element.count != 0)
+      file.obstacle_to_dropping = "the element " + element.name + " may tell them by their number";
     skip_element(element, file.encoding, has_points, place);
     has_points = has_points || is_point;
   }
