@@ -141,6 +141,18 @@ void Line_reader::fail_to_read(const std::string& word) const
   fail("\"" + word + "\" is not a number" + (has_comma ? ": decimals need a point" : ""));
 }
 
+void Line_reader::check_columns(const std::vector<Field>& words, std::size_t& width) const
+{
+  if (words.size() < 3) {
+    for (const Field& word : words)
+      number(word); // may tell more
+    fail("a point has three coordinates");
+  }
+  if (width != 0 && words.size() != width)
+    fail(std::to_string(words.size()) + " columns, but " + std::to_string(width) + " before");
+  width = words.size();
+}
+
 void Line_reader::fail(const std::string& reason) const
 {
   throw std::runtime_error("line " + std::to_string(m_place.line) + ": " + reason);

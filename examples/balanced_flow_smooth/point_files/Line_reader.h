@@ -63,6 +63,10 @@ public:
   /// The same with all digits of an integer
   Number exact_number(const Field& word) const;
 
+  /// Throws `std::runtime_error` unless the words are a point with as many columns as those before.
+  /// \param width the number of these columns; 0 for the first point, which tells it
+  void check_columns(const std::vector<Field>& words, std::size_t& width) const;
+
   [[noreturn]] void fail(const std::string& reason) const;
 
 private:

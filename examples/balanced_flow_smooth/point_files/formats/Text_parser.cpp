@@ -28,6 +28,7 @@ void Normals_guess::add(const Line_reader& lines, const std::vector<Field>& word
 }
 
 Text_parser::Text_parser(std::string bytes, const Names& columns)
+    : m_is_told_by_user(!columns.empty())
 {
   m_file.bytes = std::move(bytes);
   m_head = read_text_head(m_file.bytes, columns);
@@ -81,15 +82,7 @@ void Text_parser::end_block() const
 
 void Text_parser::add_point(const Line_reader& lines, const std::vector<Field>& words)
 {
-  if (words.size() < 3) {
-    for (const Field& word : words)
-      lines.number(word); // may tell more
-    lines.fail("a point has three coordinates");
-  }
-  if (m_width != 0 && words.size() != m_width)
-    lines.fail(std::to_string(words.size()) + " columns, but " + std::to_string(m_width) +
-               " before");
-  m_width = words.size();
+  lines.check_columns(words, m_width);
   m_normals.add(lines, words);
   ++m_file.blocks.back().count;
   ++m_count;
@@ -98,7 +91,11 @@ void Text_parser::add_point(const Line_reader& lines, const std::vector<Field>& 
 /// The names of all columns, each used once
 Text_parser::Names Text_parser::names_of_columns(Default_names default_names_of) const
 {
-  Names names = m_head.names.empty() ? default_names_of(m_width) : m_head.names;
+  Names names = m_head.names;
+  if (names.size() < m_width && !m_is_told_by_user) {
+    const Names defaults = default_names_of(m_width);
+    names.insert(names.end(), defaults.begin() + std::ptrdiff_t(names.size()), defaults.end());
+  }
   if (names.size() > m_width)
     throw std::runtime_error(std::to_string(names.size()) + " names of columns, but there are " +
                              std::to_string(m_width) + " columns");

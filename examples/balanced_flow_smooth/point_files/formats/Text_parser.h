@@ -25,6 +25,7 @@ public:
 class Text_parser {
   Anatomy m_file;
   Text_head m_head;
+  bool m_is_told_by_user; // what columns are
   std::size_t m_width = 0, m_count = 0;
   std::optional<double> m_announced; // by a line before the block
   std::size_t m_announcement = 0;    // the number of that line

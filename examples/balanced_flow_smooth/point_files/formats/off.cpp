@@ -7,7 +7,6 @@
 #include <cmath>
 #include <cstddef>
 #include <memory>
-#include <optional>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -50,8 +49,7 @@ Anatomy parse(std::string bytes)
     lines.split(line, words);
   }
   std::size_t counts[2] = {0, 0};
-  const std::optional<Field> count_field =
-      words.empty() ? std::nullopt : std::optional<Field>(words[0]);
+  const Field count_field = words[0];
   for (std::size_t i = 0; i < 2 && i < words.size(); ++i) {
     const double count = lines.number(words[i]);
     if (!(count >= 0. && count <= double(file.bytes.size()) && std::floor(count) == count))
@@ -67,12 +65,7 @@ Anatomy parse(std::string bytes)
       throw std::runtime_error("the file ends after " + std::to_string(i) + " of " +
                                std::to_string(counts[0]) + " points");
     lines.split(line, words);
-    if (words.size() < 3)
-      lines.fail("a point has three coordinates");
-    if (width != 0 && words.size() != width)
-      lines.fail(std::to_string(words.size()) + " columns, but " + std::to_string(width) +
-                 " before");
-    width = words.size();
+    lines.check_columns(words, width);
   }
   const bool with_normals = keyword.find('N') != std::string::npos;
   if (with_normals && width != 0 && width < 6)

@@ -99,12 +99,7 @@ Anatomy parse(std::string bytes)
                                  std::to_string(file.blocks.back().count) + " points of scan " +
                                  std::to_string(file.blocks.size()));
       lines.split(line, words);
-      if (words.size() < 3)
-        lines.fail("a point has three coordinates");
-      if (width != 0 && words.size() != width)
-        lines.fail(std::to_string(words.size()) + " columns, but " + std::to_string(width) +
-                   " before");
-      width = words.size();
+      lines.check_columns(words, width);
     }
   }
   if (width == 0)
