@@ -118,6 +118,14 @@ Field Line_reader::next_cell(std::size_t& at, std::size_t end) const
   return cell;
 }
 
+std::size_t Line_reader::end_of_cell(const Field& word) const
+{
+  if (m_separator == ' ')
+    return word.end;
+  const char ends[] = {m_separator, '\r', '\n', '\0'};
+  return (std::min)(m_place.bytes->find_first_of(ends, word.end), m_place.bytes->size());
+}
+
 double Line_reader::number(const Field& word) const
 {
   const char* bytes = m_place.bytes->data();

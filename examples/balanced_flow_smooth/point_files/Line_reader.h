@@ -53,6 +53,9 @@ public:
   /// The same, behind other words
   void append_words(const Field& line, std::vector<Field>& words) const;
 
+  /// Where the cell of a word ends, so that another one can come
+  std::size_t end_of_cell(const Field& word) const;
+
   std::string text(const Field& word) const
   {
     return m_place.bytes->substr(word.begin, word.end - word.begin);

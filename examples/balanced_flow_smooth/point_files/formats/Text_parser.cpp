@@ -113,19 +113,17 @@ Text_parser::Names Text_parser::names_of_columns(Default_names default_names_of)
   return names;
 }
 
-void Text_parser::set_layout(Default_names names)
+void Text_parser::set_layout(Default_names default_names_of)
 {
   if (m_count == 0)
     throw std::runtime_error("there are no points in it");
-  m_file.layout = Layout(names_of_columns(names));
+  m_file.layout = Layout(names_of_columns(default_names_of));
   m_file.layout_source = m_head.source;
   const std::size_t last = m_file.layout.last_coordinate();
   if (last >= m_head.name_fields.size())
     return;
-  std::size_t end = m_head.name_fields[last].end;
-  if (end < m_file.bytes.size() && m_file.bytes[end] == '"')
-    ++end;
-  m_file.normals_header.first = end;
+  const Line_reader names(Place{&m_file.bytes}, m_head.name_separator);
+  m_file.normals_header.first = names.end_of_cell(m_head.name_fields[last]);
   for (const char* name : {"nx", "ny", "nz"})
     m_file.normals_header.second += m_head.name_separator + std::string(name);
 }
