@@ -27,12 +27,14 @@ std::string names_of_rows(const Point_file& file, char separator)
 
 std::string column_name(const Property& column)
 {
-  std::string name = (role_of(column.name).empty() ? "" : "other_") + column.name;
+  std::string name = column.name;
   std::replace_if(
       name.begin(), name.end(),
       [](unsigned char c) { return c <= ' ' || c == ',' || c == ';' || c == '"' || c == '#'; },
       '_');
-  return name.empty() ? "_" : name;
+  if (name.empty())
+    return "_";
+  return (role_of(name).empty() ? "" : "other_") + name;
 }
 
 } // namespace point_files
