@@ -133,6 +133,9 @@ check "or are filled on request" bash -c "'$program' normals.pwn filled.pwn -q -
 check "one unknown normal does not hide the others" bash -c "awk '{ d = \$4^2 + \$5^2 + \$6^2 - 1; if (d * d < 1e-12) ++n } END { exit n != 298 }' out.normals.pwn"
 check "new normals get their names" bash -c "'$program' comma.csv n.csv -q --noise 0.02 --normals && head -1 n.csv | grep -qx 'X,Y,Z,nx,ny,nz,Id,Kind'"
 check "and are found again" says n.csv "x 1, y 2, z 3, nx 4, ny 5, nz 6, by the header"
+for file in plain.xyz cr_open.asc crlf.txt scans.pts; do
+  check "$file, new normals without a header get a comment" bash -c "'$program' $file n.\${0##*.} -q --noise 0.02 --normals && '$program' -n n.\${0##*.} | grep -q 'nx 4, ny 5, nz 6, by the comment'" $file
+done
 check "also between quotes" bash -c "'$program' quoted.csv n.csv -q --noise 0.02 --normals && head -1 n.csv | grep -qx '\"X \[m\]\",\"Y \[m\]\",\"Z \[m\]\",nx,ny,nz,\"Name of it\"' && '$program' n.csv same.csv -q --iterations 0 && cmp n.csv same.csv"
 
 # ---- conversions

@@ -197,6 +197,10 @@ Text_head read_text_head(const std::string& bytes, const std::vector<std::string
   if (lines.point.number != 0) {
     head.separator = find_separator(bytes, lines.point);
     width = width_of(bytes, lines.point, head.separator);
+    head.first_point = lines.point.field.begin;
+    const std::size_t end = lines.point.field.end;
+    if (end < bytes.size() && bytes[end] == '\r')
+      head.end_of_line = bytes.compare(end, 2, "\r\n") == 0 ? "\r\n" : "\r";
   }
   if (lines.header.number == 0)
     take_comment(bytes, lines, width, head);

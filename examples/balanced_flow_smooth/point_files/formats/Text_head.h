@@ -17,6 +17,9 @@ struct Text_head {
   std::vector<std::string> names; // of columns, as far as something tells them
   std::string source;             // what tells them, for people; empty if nothing does
 
+  std::size_t first_point = 0;    // where its line begins
+  std::string end_of_line = "\n"; // that of this line
+
   // where the names are in the file, if they are there
   std::vector<Field> name_fields;
   char name_separator = ' ';

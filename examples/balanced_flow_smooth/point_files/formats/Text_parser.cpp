@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Text_parser.h"
 
+#include "../write_rows.h"
+
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
@@ -119,13 +121,33 @@ void Text_parser::set_layout(Default_names default_names_of)
     throw std::runtime_error("there are no points in it");
   m_file.layout = Layout(names_of_columns(default_names_of));
   m_file.layout_source = m_head.source;
+  set_normals_header();
+}
+
+/// Finds out what names new normals: the line of names, or a new one, which is a comment.
+void Text_parser::set_normals_header()
+{
   const std::size_t last = m_file.layout.last_coordinate();
-  if (last >= m_head.name_fields.size())
-    return;
-  const Line_reader names(Place{&m_file.bytes}, m_head.name_separator);
-  m_file.normals_header.first = names.end_of_cell(m_head.name_fields[last]);
+  auto& [place, text] = m_file.normals_header;
+  const bool has_names = last < m_head.name_fields.size();
+  const char separator = has_names ? m_head.name_separator : m_head.separator;
   for (const char* name : {"nx", "ny", "nz"})
-    m_file.normals_header.second += m_head.name_separator + std::string(name);
+    text += separator + std::string(name);
+  if (has_names) {
+    const Line_reader names(Place{&m_file.bytes}, separator);
+    place = names.end_of_cell(m_head.name_fields[last]);
+    return;
+  }
+  place = m_head.first_point;
+  const std::string normals = std::move(text);
+  text = "# ";
+  const std::vector<Property>& columns = m_file.layout.properties();
+  for (std::size_t i = 0; i < columns.size(); ++i) {
+    const bool has_role = !role_of(columns[i].name).empty();
+    text += (i == 0 ? "" : std::string(1, separator)) +
+            (has_role ? columns[i].name : column_name(columns[i])) + (i == last ? normals : "");
+  }
+  text += m_head.end_of_line;
 }
 
 std::vector<std::string> names_of_scan_columns(std::size_t width)

@@ -52,6 +52,7 @@ private:
   void end_block() const;
   void add_point(const Line_reader& lines, const std::vector<Field>& words);
   Names names_of_columns(Default_names names) const;
+  void set_normals_header();
   void set_layout(Default_names default_names_of);
 };
 
