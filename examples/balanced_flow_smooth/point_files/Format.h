@@ -33,6 +33,7 @@ struct Format {
   std::string magic;           // the first bytes of all files; empty if they differ
   std::string library;         // the optional one that it needs; empty if there is none
   std::string columns_warning; // for files of other formats that have columns
+  bool has_normals = true;     // whether there is a place for them
   bool has_columns = false;    // whether its files may be told the names of their columns
 
   /// Whether bytes without the magic of any format look like a file of this one; may be null.

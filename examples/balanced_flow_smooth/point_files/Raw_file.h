@@ -44,7 +44,6 @@ struct Anatomy {
   std::pair<std::size_t, std::string> normals_header; // what announces new normals, and where
   std::vector<std::string> losses;                    // what other formats can not take
   std::string obstacle_to_dropping; // why no points may be dropped; empty if they may
-  bool has_place_for_normals = true;
 };
 
 /// A file that is kept as its bytes, of which only the numbers that change are replaced.

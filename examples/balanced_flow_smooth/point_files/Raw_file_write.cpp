@@ -102,8 +102,6 @@ void Raw_file::write(const Target& target) const
 {
   if (drops_invalid && !m_file.obstacle_to_dropping.empty())
     throw std::runtime_error("no points can be dropped: " + m_file.obstacle_to_dropping);
-  if (!normals.empty() && !m_file.has_place_for_normals)
-    throw std::runtime_error("the format has no place for normals");
   Output out = {m_file.bytes, target.out};
   bool has_new_normals = !normals.empty() && !m_file.layout.has_normals();
   const auto write_head = [&](const Block& block, std::size_t before) {

@@ -155,6 +155,8 @@ void warn_of_losses(Point_file& file, const Format& format)
 
 void write_as(const Point_file& file, const Target& target)
 {
+  if (!file.normals.empty() && !target.format.has_normals)
+    throw std::runtime_error("the format has no place for normals");
   if (are_of_one_family(*file.format, target.format))
     file.write(target);
   else

@@ -109,7 +109,6 @@ Anatomy parse(std::string bytes)
   file.has_types = false;
   file.losses = {"the grids of the scans and the places of the scanners"};
   file.obstacle_to_dropping = "each scan is a grid of points";
-  file.has_place_for_normals = false;
   return file;
 }
 
@@ -135,6 +134,7 @@ Format ptx_format()
   Format format;
   format.name = format.family = "ptx";
   format.recognizes = begins_with_scan;
+  format.has_normals = false;
   format.read = [](std::string bytes, const Read_options&) -> std::unique_ptr<Point_file> {
     auto file = std::make_unique<Raw_file>(parse(std::move(bytes)));
     file->defines_invalid = file->zeros_are_invalid = true;
