@@ -12,6 +12,18 @@ namespace point_files {
 class Point_file;
 struct Target;
 
+/// What becomes of points that are none, with coordinates that are not finite or all 0. By default
+/// they are kept where the format has a meaning for them, and are an error elsewhere.
+enum class Invalid { BY_FORMAT, KEEP, DROP, ERROR };
+
+/// What readers are told beside the bytes
+struct Read_options {
+  bool with_normals = false;        // whether normals are wanted even if there are none in the file
+  std::vector<std::string> columns; // the names of columns of text; empty if the file tells them
+  Invalid invalid = Invalid::BY_FORMAT;
+  bool zeros_are_invalid = false; // also where the format does not say so
+};
+
 /// A format of point files, and all that is to be known of it outside of its own file in the folder
 /// `formats`. Formats are compared by their address in `all_formats()`.
 struct Format {
@@ -21,17 +33,18 @@ struct Format {
   std::string magic;           // the first bytes of all files; empty if they differ
   std::string library;         // the optional one that it needs; empty if there is none
   std::string columns_warning; // for files of other formats that have columns
+  bool has_normals = true;     // whether there is a place for them
+  bool has_columns = false;    // whether its files may be told the names of their columns
 
   /// Whether bytes without the magic of any format look like a file of this one; may be null.
   bool (*recognizes)(const std::string& bytes) = nullptr;
 
   /// Makes a file of its bytes; null if the program was built without the library.
-  /// \param with_normals whether normals are wanted even if there are none in the file
-  std::unique_ptr<Point_file> (*read)(std::string bytes, bool with_normals) = nullptr;
+  std::unique_ptr<Point_file> (*read)(std::string bytes, const Read_options& options) = nullptr;
 
   /// The same from a file on the disk, for those who need not have all of its bytes; may be null.
   std::unique_ptr<Point_file> (*read_path)(const std::filesystem::path& path,
-                                           bool with_normals) = nullptr;
+                                           const Read_options& options) = nullptr;
 
   /// Writes the points, normals and columns of a file of another family.
   void (*write)(const Target& target, const Point_file& file) = nullptr;

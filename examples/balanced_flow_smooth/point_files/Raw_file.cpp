@@ -1,13 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Raw_file.h"
 
-#include "Record_cursor.h"
-
 #include <algorithm>
-#include <cmath>
 #include <cstdint>
-#include <ostream>
-#include <stdexcept>
 
 namespace point_files {
 
@@ -19,129 +14,105 @@ bool is_little_endian()
 
 Raw_file::Raw_file(Anatomy file) : m_file(std::move(file))
 {
-  m_file.first.bytes = &m_file.bytes;
-  load(m_file.count, m_file.layout.has_normals());
-}
-
-template <typename Function>
-void Raw_file::with_cursor(const Function& f) const
-{
-  if (m_file.encoding == Encoding::TEXT)
-    f(Text_cursor(m_file.first, m_file.layout, false));
-  else
-    f(Binary_cursor(m_file.first, m_file.layout, m_file.encoding == Encoding::SWAPPED_BINARY));
-}
-
-template <typename Cursor>
-const std::vector<Field>& Raw_file::next(Cursor& cursor, std::size_t i) const
-{
-  const std::vector<Field>* fields = cursor.next();
-  if (!fields)
-    throw std::runtime_error("the file ends after " + std::to_string(i) + " of " +
-                             std::to_string(m_file.count) + " points");
-  return *fields;
-}
-
-template <typename Cursor>
-void Raw_file::go_through(Cursor& cursor, bool with_values, const Visitor& visit) const
-{
-  const Layout& layout = m_file.layout;
-  const std::vector<std::size_t> others =
-      with_values ? layout.others() : std::vector<std::size_t>();
-  Record record = {{0., 0., 0.}, {0., 0., 0.}, std::vector<double>(others.size())};
-  for (std::size_t i = 0; i < m_file.count; ++i) {
-    const std::vector<Field>& fields = next(cursor, i);
-    const auto value = [&](std::size_t p) {
-      return cursor.value(fields[p], layout.properties()[p].type);
-    };
-    for (std::size_t c = 0; c < 3; ++c)
-      record.coordinates[c] = value(layout.coordinates()[c]);
-    for (std::size_t c = 0; layout.has_normals() && c < 3; ++c)
-      record.normal[c] = value(layout.normals()[c]);
-    for (std::size_t c = 0; c < others.size(); ++c)
-      record.values[c] = value(others[c]);
-    visit(record);
+  std::size_t count = 0;
+  for (Block& block : m_file.blocks) {
+    block.first.bytes = &m_file.bytes;
+    count += block.count;
   }
-}
-
-/// The properties that may change, in the order of the record: 0 to 2 tell the coordinate that each
-/// is, 3 to 5 that of the normal.
-std::vector<std::pair<std::size_t, std::size_t>> Raw_file::changing_properties() const
-{
-  const Layout& layout = m_file.layout;
-  std::vector<std::pair<std::size_t, std::size_t>> places;
   for (std::size_t c = 0; c < 3; ++c) {
-    places.emplace_back(layout.coordinates()[c], c);
-    if (layout.has_normals())
-      places.emplace_back(layout.normals()[c], c + 3);
+    m_changing.emplace_back(m_file.layout.coordinates()[c], c);
+    if (m_file.layout.has_normals())
+      m_changing.emplace_back(m_file.layout.normals()[c], c + 3);
   }
-  std::sort(places.begin(), places.end());
-  return places;
+  std::sort(m_changing.begin(), m_changing.end());
+  load(count, m_file.layout.has_normals());
+  find_sides();
+  roles = m_file.layout.roles();
+  roles_source = m_file.layout_source;
+  for (const std::size_t p : m_file.layout.coordinates())
+    if (is_integer(m_file.layout.properties()[p].type) && warnings.empty())
+      warnings.push_back("coordinates are integers: points are rounded to them in this format");
 }
 
-template <typename Cursor>
-void Raw_file::write_with(Cursor& cursor, std::ostream& out) const
+/// Makes sides of the places of the scanners.
+void Raw_file::find_sides()
 {
-  const Layout& layout = m_file.layout;
-  const bool swapped = m_file.encoding == Encoding::SWAPPED_BINARY;
-  const bool new_normals = !normals.empty() && !layout.has_normals();
-  const auto places = changing_properties();
-
-  std::string text; // waits to be written
-  std::size_t done = 0;
-  const auto copy_up_to = [&](std::size_t end) {
-    text.append(m_file.bytes, done, end - done);
-    done = end;
-  };
-  if (new_normals) {
-    copy_up_to(m_file.normals_header.first);
-    text += m_file.normals_header.second;
-  }
-  for (std::size_t i = 0; i < m_file.count; ++i) {
-    const std::vector<Field>& fields = next(cursor, i);
-    for (const auto& [p, c] : places) {
-      const Scalar type = layout.properties()[p].type;
-      const double before = cursor.value(fields[p], type);
-      const double now = c < 3 ? points[i][int(c)] : normals[i][int(c) - 3];
-      if (now == before || (std::isnan(now) && std::isnan(before)))
-        continue;
-      copy_up_to(fields[p].begin);
-      Cursor::append(text, type, now, swapped);
-      done = fields[p].end;
-    }
-    if (new_normals) {
-      copy_up_to(fields[layout.last_coordinate()].end);
-      for (int c = 0; c < 3; ++c) {
-        Cursor::append_between(text);
-        Cursor::append(text, layout.coordinate_type(), normals[i][c], swapped);
+  std::size_t i = 0;
+  for (const Block& block : m_file.blocks) {
+    if (block.frame && sides.empty())
+      sides.resize(points.size(), CGAL::NULL_VECTOR);
+    for (std::size_t k = 0; k < block.count; ++k, ++i)
+      if (block.frame && points[i] != Point_3(CGAL::ORIGIN)) {
+        const Scan_frame::Triple& p = block.frame->position();
+        sides[i] = Point_3(p[0], p[1], p[2]) - points[i];
       }
-    }
-    copy_up_to(cursor.place().at);
-    if (text.size() > (std::size_t(1) << 20)) {
-      out.write(text.data(), std::streamsize(text.size()));
-      text.clear();
-    }
   }
-  out.write(text.data(), std::streamsize(text.size()));
-  out.write(m_file.bytes.data() + done, std::streamsize(m_file.bytes.size() - done));
 }
 
 void Raw_file::for_each_record(bool with_values, const Visitor& visit) const
 {
-  with_cursor([&](auto cursor) { go_through(cursor, with_values, visit); });
+  const Layout& layout = m_file.layout;
+  const std::vector<Property>& properties = layout.properties();
+  const std::vector<std::size_t> others =
+      with_values ? layout.others() : std::vector<std::size_t>();
+  const bool has_integer_normals =
+      layout.has_normals() && is_integer(properties[layout.normals()[0]].type);
+  Record record = {{0., 0., 0.}, {0., 0., 0.}, std::vector<Number>(others.size())};
+  for_each_fields([&](const auto& cursor, const std::vector<Field>& fields, std::size_t,
+                      const Block& block, std::size_t) {
+    const auto value = [&](std::size_t p) { return cursor.value(fields[p], properties[p].type); };
+    const Scan_frame::Triple p = coordinates(cursor, fields);
+    const Scan_frame::Triple shared = block.frame ? block.frame->to_shared(p) : p;
+    std::copy(shared.begin(), shared.end(), record.coordinates);
+    for (std::size_t c = 0; layout.has_normals() && c < 3; ++c)
+      record.normal[c] = value(layout.normals()[c]);
+    if (has_integer_normals) {
+      const double length = length_of_normal(cursor, fields);
+      for (double& n : record.normal)
+        n = length != 0. ? n / length : 0.;
+    }
+    for (std::size_t c = 0; c < others.size(); ++c)
+      record.values[c] = cursor.exact_value(fields[others[c]], properties[others[c]].type);
+    visit(record);
+  });
 }
 
-void Raw_file::write(const Target& target) const
+const Column_types& Raw_file::column_types() const
 {
-  with_cursor([&](auto cursor) { write_with(cursor, target.out); });
+  if (!m_columns) {
+    const std::vector<std::size_t> others = m_file.layout.others();
+    m_columns.emplace(others.size());
+    for_each_fields(
+        [&](const auto&, const std::vector<Field>& fields, std::size_t, const Block&, std::size_t) {
+          for (std::size_t c = 0; c < others.size(); ++c) {
+            const Field& field = fields[others[c]];
+            m_columns->add(c, m_file.bytes.substr(field.begin, field.end - field.begin));
+          }
+        });
+  }
+  return *m_columns;
 }
 
 std::vector<Property> Raw_file::columns() const
 {
   std::vector<Property> columns;
-  for (const std::size_t i : m_file.layout.others())
-    columns.push_back(m_file.layout.properties()[i]);
+  for (const std::size_t i : m_file.layout.others()) {
+    Property column = m_file.layout.properties()[i];
+    if (!m_file.has_types)
+      column.type = column_types().type(columns.size());
+    columns.push_back(column);
+  }
   return columns;
+}
+
+std::vector<std::string> Raw_file::losses() const
+{
+  std::vector<std::string> losses = m_file.losses;
+  const std::vector<Property> all = m_file.has_types ? std::vector<Property>() : columns();
+  for (std::size_t c = 0; c < all.size(); ++c)
+    if (column_types().loses_digits(c))
+      losses.push_back("all digits of " + all[c].name);
+  return losses;
 }
 
 } // namespace point_files

@@ -2,6 +2,7 @@
 #include "point_file_io.h"
 
 #include "Temporary_file.h"
+#include "invalid_points.h"
 
 #include <algorithm>
 #include <cstddef>
@@ -48,6 +49,30 @@ std::string read_bytes(const std::filesystem::path& path)
   return bytes;
 }
 
+/// Throws if the text is not one of bytes: it would pass for garbage.
+void refuse_wide_characters(const std::string& bytes)
+{
+  const auto byte = [&](std::size_t i) {
+    return i < bytes.size() ? int(static_cast<unsigned char>(bytes[i])) : -1;
+  };
+  const auto is_text = [&](std::size_t i) { return byte(i) >= '\t' && byte(i) < 127; };
+  const auto is_null = [&](std::size_t i) { return byte(i) == 0; };
+  const bool has_mark =
+      (byte(0) == 0xFF && byte(1) == 0xFE) || (byte(0) == 0xFE && byte(1) == 0xFF);
+  if (has_mark || (is_text(0) && is_null(1) && is_text(2) && is_null(3)) ||
+      (is_null(0) && is_text(1) && is_null(2) && is_text(3)))
+    throw std::runtime_error(
+        "this is text in UTF-16, which is not supported: convert it to UTF-8, for instance by "
+        "iconv -f UTF-16 -t UTF-8");
+}
+
+void check_use(const Format& format, const Read_options& options)
+{
+  check_support(format);
+  if (!options.columns.empty() && !format.has_columns)
+    throw std::runtime_error("--columns is for text, but the format is " + format.name);
+}
+
 [[noreturn]] void fail_to_write(const std::filesystem::path& path, const std::string& why)
 {
   throw std::runtime_error("cannot write " +
@@ -58,29 +83,32 @@ std::string read_bytes(const std::filesystem::path& path)
 } // namespace
 
 std::unique_ptr<Point_file> read_point_bytes(std::string bytes, const Format* format,
-                                             bool with_normals)
+                                             const Read_options& options)
 {
+  refuse_wide_characters(bytes);
   if (!format)
     format = &format_of_bytes(bytes);
-  check_support(*format);
-  std::unique_ptr<Point_file> file = format->read(std::move(bytes), with_normals);
+  check_use(*format, options);
+  std::unique_ptr<Point_file> file = format->read(std::move(bytes), options);
   file->format = format;
+  find_invalid_points(*file, options);
   return file;
 }
 
 std::unique_ptr<Point_file> read_point_file(const std::filesystem::path& path, const Format* format,
-                                            bool with_normals)
+                                            const Read_options& options)
 {
   const bool from_stream = is_standard_stream(path);
   try {
     if (!format && !from_stream)
       format = &format_of(path);
     if (format)
-      check_support(*format);
+      check_use(*format, options);
     if (from_stream || !format->read_path)
-      return read_point_bytes(read_bytes(path), format, with_normals);
-    std::unique_ptr<Point_file> file = format->read_path(path, with_normals);
+      return read_point_bytes(read_bytes(path), format, options);
+    std::unique_ptr<Point_file> file = format->read_path(path, options);
     file->format = format;
+    find_invalid_points(*file, options);
     return file;
   }
   catch (const std::bad_alloc&) {
@@ -116,6 +144,9 @@ void warn_of_losses(Point_file& file, const Format& format)
 {
   if (are_of_one_family(*file.format, format))
     return;
+  if (!file.invalid.empty() && !file.drops_invalid)
+    file.warnings.push_back(std::to_string(file.invalid.size()) + " invalid points are in the " +
+                            format.name + ", too: --invalid drop leaves them out");
   for (const std::string& loss : file.losses())
     file.warnings.push_back(loss + " can not be kept in the format " + format.name);
   if (!file.columns().empty() && !format.columns_warning.empty())
@@ -124,6 +155,8 @@ void warn_of_losses(Point_file& file, const Format& format)
 
 void write_as(const Point_file& file, const Target& target)
 {
+  if (!file.normals.empty() && !target.format.has_normals)
+    throw std::runtime_error("the format has no place for normals");
   if (are_of_one_family(*file.format, target.format))
     file.write(target);
   else

@@ -60,12 +60,12 @@ Format las_or_laz(const char* name)
   format.family = "las";
   format.library = "PDAL";
 #ifdef POINT_SET_FLOW_WITH_PDAL
-  format.read = [](std::string bytes, bool with_normals) -> std::unique_ptr<Point_file> {
-    return Las_file::of_bytes(bytes, with_normals);
+  format.read = [](std::string bytes, const Read_options& options) -> std::unique_ptr<Point_file> {
+    return Las_file::of_bytes(bytes, options.with_normals);
   };
   format.read_path = [](const std::filesystem::path& path,
-                        bool with_normals) -> std::unique_ptr<Point_file> {
-    return std::make_unique<Las_file>(path, with_normals);
+                        const Read_options& options) -> std::unique_ptr<Point_file> {
+    return std::make_unique<Las_file>(path, options.with_normals);
   };
   format.write = write_las;
 #endif
