@@ -2,6 +2,7 @@
 #include "Point_file.h"
 
 #include <cmath>
+#include <new>
 #include <sstream>
 #include <stdexcept>
 
@@ -9,6 +10,8 @@ namespace point_files {
 
 void Point_file::load(std::size_t count, bool with_normals)
 {
+  if (count > points.max_size())
+    throw std::bad_alloc();
   points.reserve(count);
   normals.reserve(with_normals ? count : 0);
   for_each_record(false, [&](const Record& r) {

@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "Las_file.h"
+
+#include "las/Bytes.h"
+#include "las/Output.h"
+#include "las/Records.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <tuple>
+#include <utility>
+
+namespace point_files {
+
+Las_file::Las_file(las::Input input)
+    : m_input(std::move(input)), m_header(m_input), m_fields(m_input, m_header)
+{
+  load(std::size_t(m_header.count), false);
+  if (m_header.is_copc())
+    warnings.push_back("this is COPC: it is written as LAZ without the records of COPC, unless no "
+                       "point changes");
+  for (const las::Field& field : m_fields.all())
+    if (field.name == "NormalX")
+      warnings.push_back("the normals in its extra bytes stay as they are");
+}
+
+void Las_file::for_each_record(bool with_values, const Visitor& visit) const
+{
+  const std::size_t width = with_values ? m_fields.all().size() : 0;
+  Record record = {{0., 0., 0.}, {0., 0., 0.}, std::vector<double>(width)};
+  const auto reader = las::make_reader(m_input, m_header);
+  for (std::uint64_t i = 0; i < m_header.count; ++i) {
+    const char* const bytes = reader->next();
+    for (std::size_t c = 0; c < 3; ++c)
+      record.coordinates[c] = m_header.grid.coordinate(las::get<std::int32_t>(bytes + 4 * c), c);
+    for (std::size_t c = 0; c < width; ++c)
+      record.values[c] = m_fields.all()[c].get(bytes);
+    visit(record);
+  }
+}
+
+std::vector<Property> Las_file::columns() const
+{
+  std::vector<Property> columns;
+  for (const las::Field& field : m_fields.all())
+    columns.emplace_back(field.name, field.scalar());
+  return columns;
+}
+
+/// The coordinates of a point for its record; a coordinate that is the same stays the same.
+std::array<std::int32_t, 3> Las_file::new_integers(const char* record, std::size_t i) const
+{
+  std::array<std::int32_t, 3> integers;
+  for (std::size_t c = 0; c < 3; ++c) {
+    integers[c] = las::get<std::int32_t>(record + 4 * c);
+    if (points[i][int(c)] != m_header.grid.coordinate(integers[c], c))
+      integers[c] = m_header.grid.integer(points[i][int(c)], c, i);
+  }
+  return integers;
+}
+
+/// Finds out, before anything is written, whether all points can be written.
+Las_file::Change Las_file::find_change() const
+{
+  std::array<std::int32_t, 3> min, max;
+  min.fill((std::numeric_limits<std::int32_t>::max)());
+  max.fill((std::numeric_limits<std::int32_t>::min)());
+  Change change = {};
+  const auto reader = las::make_reader(m_input, m_header);
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const char* const record = reader->next();
+    const auto integers = new_integers(record, i);
+    for (std::size_t c = 0; c < 3; ++c) {
+      change.any = change.any || integers[c] != las::get<std::int32_t>(record + 4 * c);
+      min[c] = (std::min)(min[c], integers[c]);
+      max[c] = (std::max)(max[c], integers[c]);
+    }
+  }
+  for (std::size_t c = 0; c < 3; ++c)
+    std::tie(change.min[c], change.max[c]) =
+        std::minmax({m_header.grid.coordinate(min[c], c), m_header.grid.coordinate(max[c], c)});
+  return change;
+}
+
+void Las_file::write(const Target& target) const
+{
+  m_input.check_unchanged();
+  const Change change = find_change();
+  const bool is_laz = target.format.name == "laz";
+  if (!change.any && is_laz == m_header.is_compressed)
+    m_input.copy(0, m_input.size(), target.out);
+  else {
+    las::Frame frame(m_input, m_header, is_laz || m_header.is_compressed);
+    for (std::size_t c = 0; c < 3 && change.any; ++c) {
+      las::put(&frame.header[las::at::bounds + 16 * c], change.max[c]);
+      las::put(&frame.header[las::at::bounds + 16 * c + 8], change.min[c]);
+    }
+    las::write_file(target, frame, [&](las::Record_writer& writer) {
+      const auto reader = las::make_reader(m_input, m_header);
+      for (std::size_t i = 0; i < points.size(); ++i) {
+        char* const record = reader->next();
+        const auto integers = new_integers(record, i);
+        for (std::size_t c = 0; c < 3; ++c)
+          las::put(record + 4 * c, integers[c]);
+        writer.write(record);
+      }
+    });
+  }
+  m_input.check_unchanged();
+}
+
+} // namespace point_files
