@@ -39,16 +39,17 @@ void convert(const char* from, const char* to)
   laszip_BOOL is_compressed = 0;
   laszip_header_struct* header = nullptr;
   laszip_point_struct* point = nullptr;
-  laszip_I64 count = 0;
   in.check(laszip_open_reader(in.pointer, from, &is_compressed));
   in.check(laszip_get_header_pointer(in.pointer, &header));
   in.check(laszip_get_point_pointer(in.pointer, &point));
-  in.check(laszip_get_point_count(in.pointer, &count));
+  const laszip_U64 count = header->number_of_point_records != 0
+                               ? header->number_of_point_records
+                               : header->extended_number_of_point_records;
   out.check(laszip_set_header(out.pointer, header));
   out.check(laszip_preserve_generating_software(out.pointer, 1));
   out.check(laszip_request_native_extension(out.pointer, 1));
   out.check(laszip_open_writer(out.pointer, to, ends_with(to, ".laz")));
-  for (laszip_I64 i = 0; i < count; ++i) {
+  for (laszip_U64 i = 0; i < count; ++i) {
     in.check(laszip_read_point(in.pointer));
     out.check(laszip_set_point(out.pointer, point));
     out.check(laszip_write_point(out.pointer));

@@ -42,7 +42,7 @@ for i in range(count):
         low[c], high[c] = min(low[c], place[c]), max(high[c], place[c])
     record = struct.pack("<iii", *place) + noise(size - 12)
     if extra >= 6:
-        record = record[:size - extra] + struct.pack("<fH", i / 8, i) + record[size - extra + 6:]
+        record = record[:size - extra] + struct.pack("<fH", i / 8, i % 65536) + record[size - extra + 6:]
     points += record
 
 before = b"".join(vlrs)
