@@ -3,7 +3,7 @@
 # points, and knows nothing of our readers:  make_las.py FILE version=1.4 format=7 [name=value ...]
 # Values (in brackets their defaults): points [300], extra bytes of each point [7], vlrs [2], evlrs [2 in
 # LAS 1.4], padding of the header, in front of the points and behind them [3], waveforms [1 if the format
-# has them], copc [0], east [512000] and north [5412000] of the offset, scale [0.001], seed [1].
+# has them], evlr_size [70000] of the first extended record, copc [0], east [512000] and north [5412000] of the offset, scale [0.001], seed [1].
 import random, struct, sys
 
 options = dict(word.split("=", 1) for word in sys.argv[2:])
@@ -48,7 +48,7 @@ for i in range(count):
 before = b"".join(vlrs)
 begin = header_size + len(before) + padding
 end = begin + len(points) + padding
-evlrs = [vlr(b"beyond the points", 50 + i, noise(70000 if i == 0 else 5), True) for i in range(number("evlrs", 2 if minor >= 4 else 0))]
+evlrs = [vlr(b"beyond the points", 50 + i, noise(number("evlr_size", 70000) if i == 0 else 5), True) for i in range(number("evlrs", 2 if minor >= 4 else 0))]
 if number("copc", 0):
     evlrs.insert(1, vlr(b"copc", 1000, noise(500), True))
 after = b"".join(evlrs)
