@@ -54,7 +54,13 @@ public:
     if (laszip_create(&m_laszip) != 0 || laszip_get_point_pointer(m_laszip, &point) != 0)
       fail("LASzip can not be used");
   }
-  ~Laszip() { laszip_destroy(m_laszip); }
+  ~Laszip()
+  {
+    // it frees nothing of what is still open, and it is no error that matters if nothing is
+    laszip_close_reader(m_laszip);
+    laszip_close_writer(m_laszip);
+    laszip_destroy(m_laszip);
+  }
   Laszip(const Laszip&) = delete;
   Laszip& operator=(const Laszip&) = delete;
 
