@@ -73,8 +73,6 @@ private:
   const std::vector<Neighbor>& search(const Point_3& p)
   {
     m_bound = m_largest;
-    if (m_k == 0) // there is no other point
-      return m_found;
     if (m_found.size() == m_k) {
       // the ball of the previous answer holds k points other than this one (its own center
       // instead, if this one was among them): so does, around this point, a ball larger by the
