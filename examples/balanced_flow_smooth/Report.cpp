@@ -64,6 +64,18 @@ std::string advice(const Smoothing_report& r, const Smoothing_settings& s)
   return "";
 }
 
+/// What was taken for coordinates and normals
+std::string roles_to_text(const File_report& r)
+{
+  std::string text;
+  for (const auto& [role, column] : r.roles)
+    text += (text.empty() ? "" : ", ") + role + " " + std::to_string(column);
+  text += ", by " + r.roles_source;
+  if (r.unknown_normals != 0)
+    text += "; " + std::to_string(r.unknown_normals) + " normals are null or not finite";
+  return text;
+}
+
 nlohmann::ordered_json to_json(const File_report& r, const Settings& settings)
 {
   const Smoothing_settings& s = settings.smoothing;
@@ -83,6 +95,11 @@ nlohmann::ordered_json to_json(const File_report& r, const Settings& settings)
   if (r.points != 0) {
     json["points"] = r.points;
     json["normals"] = r.normals;
+    json["unknown_normals"] = r.unknown_normals;
+    for (const auto& [role, column] : r.roles)
+      json["columns"][role] = column;
+    if (!r.roles.empty())
+      json["columns_source"] = r.roles_source;
   }
   if (r.smoothing) {
     json["spacing"] = r.smoothing->spacing;
@@ -138,8 +155,10 @@ void print_summary(std::ostream& out, const File_report& r, const Settings& sett
   const bool is_dry_run = settings.dry_run;
   if (settings.jobs.size() > 1)
     out << r.job.input.string() << "\n";
-  out << "points            " << r.points << "\n"
-      << "spacing           " << r.smoothing->spacing << "\n"
+  out << "points            " << r.points << "\n";
+  if (!r.roles.empty())
+    out << "columns           " << roles_to_text(r) << "\n";
+  out << "spacing           " << r.smoothing->spacing << "\n"
       << (s.noise ? "given noise       " : "estimated noise   ") << r.smoothing->noise << "\n"
       << "neighbors         " << neighbors_to_text(*r.smoothing)
       << (s.k || s.is_paper_estimator() ? "" : " (fewer where two sheets are close)") << "\n"

@@ -9,6 +9,7 @@
 #include <optional>
 #include <ostream>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace balanced_flow_smooth {
@@ -20,6 +21,9 @@ struct File_report {
   std::string format, output_format;
   std::size_t points = 0;
   bool normals = false;
+  std::size_t unknown_normals = 0; // in the input: null vectors, and those that are not finite
+  std::vector<std::pair<std::string, std::size_t>> roles; // see `point_files::Point_file`
+  std::string roles_source;
   std::optional<Smoothing_report> smoothing; // empty if that failed
   double seconds = 0.;
   std::vector<std::string> warnings;

@@ -18,6 +18,8 @@
 
 #include <unistd.h>
 
+#include <algorithm>
+#include <cstddef>
 #include <filesystem>
 #include <iostream>
 #include <memory>
@@ -38,7 +40,8 @@ std::unique_ptr<point_files::Point_file> read(const std::filesystem::path& input
                                               const Settings& settings)
 {
   const Nothing_at_stake nothing_at_stake;
-  return point_files::read_point_file(input, settings.input_format, settings.normals);
+  return point_files::read_point_file(input, settings.input_format,
+                                      {settings.normals, settings.columns});
 }
 
 /// Smooths one file.
@@ -57,9 +60,14 @@ bool run(const Settings& settings, File_report& report)
   report.format = file->format->name;
   report.output_format = output_format->name;
   report.points = file->points.size();
+  report.normals = settings.normals || !file->normals.empty();
+  report.unknown_normals = std::size_t(std::count_if(file->normals.begin(), file->normals.end(),
+                                                     [](const auto& n) { return !is_known(n); }));
+  report.roles = file->roles;
+  report.roles_source = file->roles_source;
+
   if (settings.normals)
     file->add_normals();
-  report.normals = !file->normals.empty();
 
   CGAL::Real_timer timer;
   timer.start();
@@ -72,16 +80,15 @@ bool run(const Settings& settings, File_report& report)
   if (interrupt != 0)
     return false;
   report.smoothing = smoothing;
-  if (!settings.dry_run) {
+  if (!settings.dry_run)
     point_files::warn_of_losses(*file, *output_format);
-    report.warnings = file->warnings;
-    if (!settings.quiet)
-      for (const std::string& warning : report.warnings)
-        std::cerr << "warning: " << warning << std::endl;
-    if (!point_files::write_point_file(output, *file, *output_format,
-                                       [] { return interrupt != 0; }))
-      return false;
-  }
+  report.warnings = file->warnings;
+  if (!settings.quiet)
+    for (const std::string& warning : report.warnings)
+      std::cerr << "warning: " << warning << std::endl;
+  if (!settings.dry_run &&
+      !point_files::write_point_file(output, *file, *output_format, [] { return interrupt != 0; }))
+    return false;
   report.seconds = timer.time();
   return true;
 }

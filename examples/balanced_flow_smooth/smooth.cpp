@@ -10,8 +10,10 @@
 
 #include <boost/iterator/counting_iterator.hpp>
 
+#include <cmath>
 #include <cstddef>
 #include <string>
+#include <utility>
 
 namespace balanced_flow_smooth {
 
@@ -54,6 +56,25 @@ struct Optional_normal_map {
   }
 };
 
+/// Some of the normals as they were
+class Kept_normals {
+  std::vector<std::pair<std::size_t, Vector_3>> m_kept;
+
+public:
+  Kept_normals(const std::vector<Vector_3>& normals, const Smoothing_settings& s)
+  {
+    for (std::size_t i = 0; i < normals.size(); ++i)
+      if (is_known(normals[i]) ? !s.makes_steps() : !s.fills_normals)
+        m_kept.emplace_back(i, normals[i]);
+  }
+
+  void restore(std::vector<Vector_3>& normals) const
+  {
+    for (const auto& [i, normal] : m_kept)
+      normals[i] = normal;
+  }
+};
+
 /// Calls `run` with the named parameters that the settings stand for.
 template <typename Run>
 auto with_parameters(const Smoothing_settings& s, const Run& run)
@@ -92,19 +113,29 @@ auto with_cgal(const Own& own, const Smoothing_settings& s,
 
 } // namespace
 
+bool is_known(const Vector_3& normal)
+{
+  const bool is_finite =
+      std::isfinite(normal.x()) && std::isfinite(normal.y()) && std::isfinite(normal.z());
+  return is_finite && normal != CGAL::NULL_VECTOR;
+}
+
 double smooth(std::vector<Point_3>& points, std::vector<Vector_3>& normals,
               const Smoothing_settings& s, const std::function<bool(double)>& callback,
               flows::Smoothing_report& report)
 {
   typedef boost::counting_iterator<std::size_t> Index;
   CGAL::Iterator_range<Index> range(Index(0), Index(points.size()));
-  return with_parameters(s, [&](const auto& own) {
+  const Kept_normals kept(normals, s);
+  const double movement = with_parameters(s, [&](const auto& own) {
     const auto all = with_cgal(own.smoothing_report(std::ref(report)), s, callback)
                          .point_map(CGAL::make_property_map(points))
                          .normal_map(Optional_normal_map{&normals});
     return s.k ? CGAL::balanced_flow_smooth_point_set<Concurrency_tag>(range, *s.k, all)
                : CGAL::balanced_flow_smooth_point_set<Concurrency_tag>(range, all);
   });
+  kept.restore(normals);
+  return movement;
 }
 
 flows::Smoothing_report analyze(const std::vector<Point_3>& points, const Smoothing_settings& s,

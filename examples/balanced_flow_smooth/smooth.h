@@ -14,7 +14,12 @@ namespace balanced_flow_smooth {
 
 typedef CGAL::Point_set_flow::Smoothing_report Smoothing_report;
 
-/// Smooths points where they are; `NaN` if the callback says no.
+/// Whether a normal is one: files mark those that are not known by null vectors or NaN.
+bool is_known(const point_files::Vector_3& normal);
+
+/// Smooths points where they are; `NaN` if the callback says no. Normals that are not known, null
+/// vectors and those that are not finite, stay unless `s.fills_normals`; without a step all that are
+/// known stay.
 /// \param report receives what was found, used and done
 double smooth(std::vector<point_files::Point_3>& points,
               std::vector<point_files::Vector_3>& normals, const Smoothing_settings& s,

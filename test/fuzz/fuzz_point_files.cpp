@@ -37,12 +37,13 @@ std::string to_bytes(const Point_file& file, const Format& to)
   return out.str();
 }
 
+/// \param format null: to be found from the bytes
 /// \return whether the bytes are a file of points
-bool try_bytes(const std::string& bytes)
+bool try_bytes(const std::string& bytes, const Format* format)
 {
   std::unique_ptr<Point_file> file;
   try {
-    file = read_point_bytes(bytes, nullptr, false);
+    file = read_point_bytes(bytes, format, {});
   }
   catch (const std::exception&) { // says what is wrong
     return false;
@@ -71,7 +72,7 @@ bool try_bytes(const std::string& bytes)
       continue;
     }
     try {
-      require(read_point_bytes(written, &to, false)->points.size() == size,
+      require(read_point_bytes(written, &to, {})->points.size() == size,
               "the file has as many points as before");
     }
     catch (const std::exception& e) {
@@ -81,11 +82,21 @@ bool try_bytes(const std::string& bytes)
   return true;
 }
 
+/// The same as if the name of the file told each of the formats, for small files
+bool try_formats(const std::string& bytes)
+{
+  const bool is_good = try_bytes(bytes, nullptr);
+  for (const Format& format : all_formats())
+    if (bytes.size() < 2000 && format.library.empty())
+      try_bytes(bytes, &format);
+  return is_good;
+}
+
 } // namespace
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size)
 {
-  try_bytes(std::string(reinterpret_cast<const char*>(data), size));
+  try_formats(std::string(reinterpret_cast<const char*>(data), size));
   return 0;
 }
 
@@ -98,7 +109,7 @@ int main(int argc, char** argv)
       std::cerr << "cannot read " << argv[i] << std::endl;
       return EXIT_FAILURE;
     }
-    const bool is_good = try_bytes(std::string(std::istreambuf_iterator<char>(in), {}));
+    const bool is_good = try_formats(std::string(std::istreambuf_iterator<char>(in), {}));
     std::cout << argv[i] << (is_good ? ": read, smoothed, written" : ": refused") << std::endl;
   }
   return EXIT_SUCCESS;

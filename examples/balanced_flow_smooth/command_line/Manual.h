@@ -37,6 +37,8 @@ inline const std::vector<std::string> description = {
     "surface already. With --json "
     "these are numbers of points: \"moved\", and in \"not_moved\" \"without_noise\", "
     "\"too_few_neighbors\", \"constrained\" and \"at_rest\". They add up to \"points\".",
+    "No input is written over, by outputs or reports and under any of its names, unless --in-place "
+    "or the same name as INPUT and OUTPUT asks for it. "
     "An output is written beside its place and moved there when it is complete and on the disk, "
     "with the permissions of the file that it replaces. A file that fails is reported and left as "
     "it was, and the next one is taken.",
@@ -45,9 +47,13 @@ inline const std::vector<std::string> description = {
 inline const std::vector<std::pair<std::string, std::string>> formats = {
     {"ply", "ASCII or binary of either byte order, with any properties, lists and elements."},
     {"xyz",
-     "also pwn, txt, pts: lines of x y z, the normal if columns 4 to 6 are unit vectors, and "
-     "anything else; empty lines, comments from # or // on, and a first line with the number "
-     "of points are kept."},
+     "also txt, asc: text with a point in each line, between blanks, tabs, commas or semicolons, "
+     "with anything else in further columns; empty lines, comments from # or // on, and lines with "
+     "the number of the points that follow are kept."},
+    {"csv", "the same; written with commas and a header."},
+    {"pts", "the same; written with the number of points. Several scans, each with its number, "
+            "are smoothed as one."},
+    {"pwn", "also xyzn: the same; columns 4 to 6 are normals."},
     {"off", "text, also COFF, NOFF, STOFF and so on, with the faces."},
     {"las",
      "versions 1.0 to 1.4 with point formats 0 to 10: only the coordinates and the bounds in the "
@@ -64,7 +70,16 @@ inline const std::vector<std::string> on_formats = {
     "The extension of a name tells the format. That of standard input is guessed from its first "
     "bytes, and standard output gets that of the input; --format and --output-format tell "
     "otherwise. From one format to another go the points, the normals and whatever are numbers of "
-    "points (to OFF and XYZ as columns, without names); a warning tells what is lost.",
+    "points (to OFF, PTS and PWN as columns without names); a warning tells what is lost.",
+    "Columns of text are x, y, z and others, unless a header, which may be a comment, or --columns "
+    "tells what they are. Columns are normals if they are called nx, ny, nz there, or Nx, "
+    "normal_x, "
+    "NormalX and so on, or if the format is pwn. The summary tells what was taken for what. "
+    "Normals "
+    "that are null vectors or not finite are not known, and stay; --normals fills them.",
+    "Lines end with LF, CR or both. Text in UTF-16 is refused.",
+    "In PLY, integer coordinates are rounded, and integer normals keep their length; normals of "
+    "unsigned integers stay as they are.",
 };
 
 inline const std::vector<std::pair<std::string, std::string>> exit_status = {

@@ -19,7 +19,12 @@ struct Smoothing_settings {
   double neighbor_radius = 0., sharpness_angle = 0., step_length = 0.;
   std::optional<double> noise, feature_threshold, filter_width;
 
-  bool makes_steps() const { return iterations != 0 && step_length != 0.; }
+  bool fills_normals = false; // also where the input has a normal that is not known
+
+  bool makes_steps() const
+  {
+    return iterations != 0 && step_length != 0. && noise.value_or(1.) != 0.;
+  }
   bool is_paper_estimator() const { return curvature == "covariance"; }
 };
 
@@ -34,6 +39,7 @@ struct Settings {
   Smoothing_settings smoothing;
   std::vector<Job> jobs;
   const point_files::Format *input_format = nullptr, *output_format = nullptr; // null: to be found
+  std::vector<std::string> columns; // the names of those of text; empty: to be found
   std::string report; // the file of the JSON report, "-" for standard output, empty for none
   unsigned int threads = 0;
   bool normals = false, quiet = false, dry_run = false;

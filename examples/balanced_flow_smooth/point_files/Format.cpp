@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Format.h"
 
+#include "Line_reader.h"
+
 #include <algorithm>
 #include <cctype>
 #include <cstddef>
@@ -36,7 +38,8 @@ const Format& format_of(const std::filesystem::path& path)
 const Format* format_with_magic(const std::string& bytes)
 {
   for (const Format& format : all_formats())
-    if (!format.magic.empty() && bytes.compare(0, format.magic.size(), format.magic) == 0 &&
+    if (!format.magic.empty() &&
+        bytes.compare(size_of_mark(bytes), format.magic.size(), format.magic) == 0 &&
         (!format.recognizes || format.recognizes(bytes)))
       return &format;
   return nullptr;

@@ -12,6 +12,12 @@ namespace point_files {
 class Point_file;
 struct Target;
 
+/// What readers are told beside the bytes
+struct Read_options {
+  bool with_normals = false;        // whether normals are wanted even if there are none in the file
+  std::vector<std::string> columns; // the names of columns of text; empty if the file tells them
+};
+
 /// A format of point files, and all that is to be known of it outside of its own file in the folder
 /// `formats`. Formats are compared by their address in `all_formats()`.
 struct Format {
@@ -23,18 +29,18 @@ struct Format {
   std::string package;         // where that is found
   std::string columns_warning; // for files of other formats that have columns
   bool keeps_normals = true;   // whether its own files can get normals
+  bool has_columns = false;    // whether its files may be told the names of their columns
 
   /// Whether bytes look like a file of this format: those with its magic if it has one, those without
   /// the magic of any format if not; may be null.
   bool (*recognizes)(const std::string& bytes) = nullptr;
 
   /// Makes a file of its bytes; null if the program was built without the library.
-  /// \param with_normals whether normals are wanted even if there are none in the file
-  std::unique_ptr<Point_file> (*read)(std::string bytes, bool with_normals) = nullptr;
+  std::unique_ptr<Point_file> (*read)(std::string bytes, const Read_options& options) = nullptr;
 
   /// The same from a file on the disk, for those who need not have all of its bytes; may be null.
   std::unique_ptr<Point_file> (*read_path)(const std::filesystem::path& path,
-                                           bool with_normals) = nullptr;
+                                           const Read_options& options) = nullptr;
 
   /// Writes the points, normals and columns of a file of another family.
   void (*write)(const Target& target, const Point_file& file) = nullptr;

@@ -2,33 +2,92 @@
 #include "Layout.h"
 
 #include <algorithm>
+#include <cctype>
 #include <stdexcept>
 
 namespace point_files {
 
-Layout::Layout(std::vector<Property> properties) : m_properties(std::move(properties))
-{
-  if (!find({"x", "y", "z"}, m_coordinates))
-    throw std::runtime_error("x, y and z must be properties of type float or double");
-  m_has_normals = find({"nx", "ny", "nz"}, m_normals);
-  const auto is_part = [](const Property& p) {
-    return p.name == "nx" || p.name == "ny" || p.name == "nz";
-  };
-  if (!m_has_normals && std::any_of(m_properties.begin(), m_properties.end(), is_part))
-    throw std::runtime_error("nx, ny and nz must be there together, of type float or double");
-}
+namespace {
 
-Layout Layout::of_columns(std::size_t width, bool with_normals)
+constexpr std::array<const char*, 3> coordinate_roles = {"x", "y", "z"};
+constexpr std::array<const char*, 3> normal_roles = {"nx", "ny", "nz"};
+
+std::vector<Property> to_columns(const std::vector<std::string>& names)
 {
   std::vector<Property> properties;
-  for (const char* name : {"x", "y", "z"})
+  for (const std::string& name : names)
     properties.emplace_back(name, Scalar::DOUBLE);
+  return properties;
+}
+
+bool is_unsigned(Scalar type)
+{
+  return type == Scalar::UINT8 || type == Scalar::UINT16 || type == Scalar::UINT32 ||
+         type == Scalar::UINT64;
+}
+
+} // namespace
+
+std::string role_of(const std::string& name)
+{
+  std::string role;
+  for (const char c : name.substr(0, name.find_first_of(" [(")))
+    if (c != '_')
+      role += char(std::tolower(static_cast<unsigned char>(c)));
+  if (role.compare(0, 6, "normal") == 0)
+    role = "n" + role.substr(6);
+  const auto is_role = [&](const char* r) { return role == r; };
+  const bool is_known = std::any_of(coordinate_roles.begin(), coordinate_roles.end(), is_role) ||
+                        std::any_of(normal_roles.begin(), normal_roles.end(), is_role);
+  return is_known ? role : "";
+}
+
+std::vector<std::string> default_names(std::size_t width, bool with_normals)
+{
+  std::vector<std::string> names(coordinate_roles.begin(), coordinate_roles.end());
   if (with_normals)
-    for (const char* name : {"nx", "ny", "nz"})
-      properties.emplace_back(name, Scalar::DOUBLE);
-  while (properties.size() < width)
-    properties.emplace_back("column_" + std::to_string(properties.size() + 1), Scalar::DOUBLE);
-  return Layout(std::move(properties));
+    names.insert(names.end(), normal_roles.begin(), normal_roles.end());
+  while (names.size() < width)
+    names.push_back("column_" + std::to_string(names.size() + 1));
+  return names;
+}
+
+Layout::Layout(std::vector<Property> properties) : m_properties(std::move(properties))
+{
+  if (!find(coordinate_roles, m_coordinates))
+    throw std::runtime_error("x, y and z must be there, and be numbers and no lists");
+  m_has_normals = find(normal_roles, m_normals);
+  const auto is_part = [](const Property& p) {
+    return role_of(p.name)[0] == 'n' && !is_unsigned(p.type);
+  };
+  if (!m_has_normals && std::any_of(m_properties.begin(), m_properties.end(), is_part))
+    throw std::runtime_error("nx, ny and nz must be there together, and be numbers and no lists");
+}
+
+Layout::Layout(const std::vector<std::string>& names) : Layout(to_columns(names)) {}
+
+Scalar Layout::coordinate_type() const
+{
+  for (const std::size_t i : m_coordinates)
+    if (m_properties[i].type != Scalar::FLOAT)
+      return Scalar::DOUBLE;
+  return Scalar::FLOAT;
+}
+
+Scalar Layout::normal_type() const
+{
+  const Scalar type = m_properties[m_coordinates[0]].type;
+  return is_integer(type) ? Scalar::FLOAT : type;
+}
+
+std::vector<std::pair<std::string, std::size_t>> Layout::roles() const
+{
+  std::vector<std::pair<std::string, std::size_t>> roles;
+  for (std::size_t c = 0; c < 3; ++c)
+    roles.emplace_back(coordinate_roles[c], m_coordinates[c] + 1);
+  for (std::size_t c = 0; m_has_normals && c < 3; ++c)
+    roles.emplace_back(normal_roles[c], m_normals[c] + 1);
+  return roles;
 }
 
 std::size_t Layout::last_coordinate() const
@@ -49,21 +108,32 @@ std::vector<std::size_t> Layout::others() const
   return others;
 }
 
-bool Layout::find(const std::array<const char*, 3>& names, std::array<std::size_t, 3>& places) const
+/// Finds the properties of three roles: by the exact names, or else by names that mean the same.
+/// Unsigned numbers are no normals: what code they have is not known, so they stay as they are.
+bool Layout::find(const std::array<const char*, 3>& roles, std::array<std::size_t, 3>& places) const
 {
   for (std::size_t c = 0; c < 3; ++c) {
-    std::size_t found = 0;
-    for (std::size_t i = 0; i < m_properties.size(); ++i)
-      if (m_properties[i].name == names[c]) {
-        if (m_properties[i].count_type || is_integer(m_properties[i].type))
-          return false;
-        places[c] = i;
-        ++found;
-      }
-    if (found > 1)
-      throw std::runtime_error("there are two properties called " + std::string(names[c]));
-    if (found == 0)
+    const auto is_possible = [&](const Property& p) {
+      return roles != normal_roles || !is_unsigned(p.type);
+    };
+    const auto is_exact = [&](const Property& p) { return p.name == roles[c] && is_possible(p); };
+    const auto means_it = [&](const Property& p) {
+      return role_of(p.name) == roles[c] && is_possible(p);
+    };
+    const auto begin = m_properties.begin(), end = m_properties.end();
+    auto count = std::count_if(begin, end, is_exact);
+    const bool by_name = count != 0;
+    if (!by_name)
+      count = std::count_if(begin, end, means_it);
+    if (count > 1)
+      throw std::runtime_error("there are two properties called " + std::string(roles[c]));
+    if (count == 0)
       return false;
+    const auto found =
+        by_name ? std::find_if(begin, end, is_exact) : std::find_if(begin, end, means_it);
+    if (found->count_type)
+      return false;
+    places[c] = std::size_t(found - begin);
   }
   return true;
 }

@@ -33,19 +33,26 @@ class Layout {
 public:
   Layout() = default;
 
-  /// Coordinates are called x, y, z, and normals nx, ny, nz, if there are any.
+  /// Coordinates and normals, if there are any, have the names that `role_of()` knows. Throws
+  /// `std::runtime_error` if they are not there, or only in part.
   explicit Layout(std::vector<Property> properties);
 
-  /// "x y z", "nx ny nz" if there are normals, and "column_4" and so on up to the width
-  static Layout of_columns(std::size_t width, bool with_normals);
+  /// The same of columns of text
+  explicit Layout(const std::vector<std::string>& names);
 
   const std::vector<Property>& properties() const { return m_properties; }
   const std::array<std::size_t, 3>& coordinates() const { return m_coordinates; }
   const std::array<std::size_t, 3>& normals() const { return m_normals; }
   bool has_normals() const { return m_has_normals; }
 
-  /// the type of new properties that belong to the coordinates
-  Scalar coordinate_type() const { return m_properties[m_coordinates[0]].type; }
+  /// a type that holds all coordinates, also after smoothing
+  Scalar coordinate_type() const;
+
+  /// the type of normals that are added
+  Scalar normal_type() const;
+
+  /// which properties are coordinates and normals: their numbers, from 1 on
+  std::vector<std::pair<std::string, std::size_t>> roles() const;
 
   /// where further properties go
   std::size_t last_coordinate() const;
@@ -54,8 +61,15 @@ public:
   std::vector<std::size_t> others() const;
 
 private:
-  bool find(const std::array<const char*, 3>& names, std::array<std::size_t, 3>& places) const;
+  bool find(const std::array<const char*, 3>& roles, std::array<std::size_t, 3>& places) const;
 };
+
+/// "x", "y", "z", "nx", "ny" or "nz" if a name means it, as do "X", "X [m]", "NormalX" and "normal_x";
+/// empty if it means nothing of this.
+std::string role_of(const std::string& name);
+
+/// "x y z", "nx ny nz" if there are normals, and "column_4" and so on up to the width
+std::vector<std::string> default_names(std::size_t width, bool with_normals);
 
 } // namespace point_files
 

@@ -2,6 +2,8 @@
 #ifndef POINT_FILES_LINE_READER_H
 #define POINT_FILES_LINE_READER_H
 
+#include "Scalar.h"
+
 #include <cstddef>
 #include <string>
 #include <vector>
@@ -20,20 +22,36 @@ struct Place {
   std::size_t line = 0; // of text: how many are before it
 };
 
-/// Reads lines of text and knows where it is. Empty lines and comments, from # or // on, do not count.
+/// How text is cut into words
+struct Text_style {
+  char separator = ' ';       // of cells; a blank stands for blanks and tabs, as many as there are
+  bool lines_may_end = false; // within a record
+};
+
+/// Reads lines of text and knows where it is. Lines end with LF, CR or both. Empty lines and comments
+/// do not count: from # on, or lines that begin with //; between separators, # is one only at the
+/// beginning of a line. A byte order mark is skipped.
 class Line_reader {
   Place m_place;
+  char m_separator;
+  std::size_t m_line_feed = 0; // the next one, or the end of the file; not known up to this place
 
 public:
-  explicit Line_reader(const Place& place) : m_place(place) {}
+  explicit Line_reader(const Place& place, char separator = ' ');
 
   const Place& place() const { return m_place; }
+
+  /// Takes the next line, whatever is in it, without its end.
+  /// \return whether there is one
+  bool next_line(Field& line);
 
   /// \return whether there is a next line with something in it
   bool next(Field& line);
 
-  /// Cuts a line into words.
+  /// Cuts a line into words, or into cells: without the blanks around them and without quotes.
   void split(const Field& line, std::vector<Field>& words) const;
+  /// The same, behind other words
+  void append_words(const Field& line, std::vector<Field>& words) const;
 
   std::string text(const Field& word) const
   {
@@ -42,9 +60,20 @@ public:
 
   /// Throws `std::runtime_error` if the word is none.
   double number(const Field& word) const;
+  /// The same with all digits of an integer
+  Number exact_number(const Field& word) const;
 
   [[noreturn]] void fail(const std::string& reason) const;
+
+private:
+  bool is_blank(char c) const { return c == ' ' || (c == '\t' && m_separator != '\t'); }
+  void strip(Field& line) const;
+  Field next_cell(std::size_t& at, std::size_t end) const;
+  [[noreturn]] void fail_to_read(const std::string& word) const;
 };
+
+/// How many bytes a byte order mark takes at the beginning of a file in UTF-8; 0 if there is none.
+std::size_t size_of_mark(const std::string& bytes);
 
 } // namespace point_files
 

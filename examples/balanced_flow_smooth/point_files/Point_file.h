@@ -12,6 +12,7 @@
 #include <functional>
 #include <ostream>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace point_files {
@@ -23,7 +24,7 @@ typedef Kernel::Vector_3 Vector_3;
 /// A point as it is in the file
 struct Record {
   double coordinates[3], normal[3];
-  std::vector<double> values; // of the columns
+  std::vector<Number> values; // of the columns
 };
 
 /// Where a file goes
@@ -40,6 +41,11 @@ public:
   std::vector<Point_3> points;
   std::vector<Vector_3> normals; // empty if there are none
   std::vector<std::string> warnings;
+
+  /// what was taken for coordinates and normals: the numbers of columns or properties, from 1 on, and
+  /// what told it, for people; empty if the format leaves no choice
+  std::vector<std::pair<std::string, std::size_t>> roles;
+  std::string roles_source;
 
   virtual ~Point_file() = default;
 

@@ -6,6 +6,7 @@
 #include "Line_reader.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <optional>
 #include <string>
@@ -15,17 +16,18 @@ namespace point_files {
 
 // Two ways through the records of a file, as text and as bytes: what tells them apart is here.
 
-/// Goes through records that are lines of numbers.
+/// Goes through records of text.
 class Text_cursor {
   Line_reader m_lines;
-  const Layout& m_layout;
+  const std::vector<Property>& m_properties;
+  Text_style m_style;
   std::vector<Field> m_words, m_fields;
   bool m_has_lists;
 
 public:
-  Text_cursor(const Place& place, const Layout& layout, bool)
-      : m_lines(place), m_layout(layout),
-        m_has_lists(std::any_of(layout.properties().begin(), layout.properties().end(),
+  Text_cursor(const Place& place, const std::vector<Property>& properties, const Text_style& style)
+      : m_lines(place, style.separator), m_properties(properties), m_style(style),
+        m_has_lists(std::any_of(properties.begin(), properties.end(),
                                 [](const Property& p) { return p.count_type.has_value(); }))
   {}
 
@@ -34,29 +36,43 @@ public:
   /// The fields of the next record, one for each property, or null at the end of the file
   const std::vector<Field>* next();
 
-  double value(const Field& field, Scalar) const { return m_lines.number(field); }
+  double value(const Field& field, Scalar type) const
+  {
+    const double number = m_lines.number(field);
+    const auto rounded = float(number); // as if it was read from bytes, unless it is too large
+    return type == Scalar::FLOAT && std::isfinite(rounded) ? double(rounded) : number;
+  }
+  Number exact_value(const Field& field, Scalar) const { return m_lines.exact_number(field); }
 
-  static void append(std::string& out, Scalar type, double number, bool)
+  void append(std::string& out, Scalar type, const Number& number) const
   {
     append_text(out, type, number);
   }
-  static void append_between(std::string& out) { out += ' '; }
+  void append_between(std::string& out) const { out += m_style.separator; }
+
+  /// where a new field can come after this one
+  std::size_t end_of(const Field& field) const
+  {
+    const std::string& bytes = *m_lines.place().bytes;
+    const bool is_quoted =
+        m_style.separator != ' ' && field.end != bytes.size() && bytes[field.end] == '"';
+    return field.end + (is_quoted ? 1 : 0);
+  }
 
 private:
-  /// Makes one field of the words of each list.
-  void join_lists();
+  std::size_t join_lists();
 };
 
 /// Goes through records that are bytes one after the other.
 class Binary_cursor {
   Place m_place;
-  const Layout& m_layout;
+  const std::vector<Property>& m_properties;
   std::vector<Field> m_fields;
   bool m_swapped;
 
 public:
-  Binary_cursor(const Place& place, const Layout& layout, bool swapped)
-      : m_place(place), m_layout(layout), m_fields(layout.properties().size()), m_swapped(swapped)
+  Binary_cursor(const Place& place, const std::vector<Property>& properties, bool swapped)
+      : m_place(place), m_properties(properties), m_fields(properties.size()), m_swapped(swapped)
   {}
 
   Place place() const { return m_place; }
@@ -68,12 +84,17 @@ public:
   {
     return from_bytes(type, m_place.bytes->data() + field.begin, m_swapped);
   }
-
-  static void append(std::string& out, Scalar type, double number, bool swapped)
+  Number exact_value(const Field& field, Scalar type) const
   {
-    append_bytes(out, type, number, swapped);
+    return number_from_bytes(type, m_place.bytes->data() + field.begin, m_swapped);
+  }
+
+  void append(std::string& out, Scalar type, const Number& number) const
+  {
+    append_bytes(out, type, number, m_swapped);
   }
   static void append_between(std::string&) {}
+  static std::size_t end_of(const Field& field) { return field.end; }
 
   /// Where the value of a property ends that begins at `at`; nothing if it is not complete.
   static std::optional<std::size_t> find_end(const std::string& bytes, const Property& property,

@@ -51,16 +51,41 @@ std::string read_bytes(std::istream& in, std::size_t size, std::string bytes)
   return bytes;
 }
 
+/// Throws if the text is not one of bytes: it would pass for garbage.
+void refuse_wide_characters(const std::string& bytes)
+{
+  const auto byte = [&](std::size_t i) {
+    return i < bytes.size() ? int(static_cast<unsigned char>(bytes[i])) : -1;
+  };
+  const auto is_text = [&](std::size_t i) { return byte(i) >= '\t' && byte(i) < 127; };
+  const auto is_null = [&](std::size_t i) { return byte(i) == 0; };
+  const bool has_mark =
+      (byte(0) == 0xFF && byte(1) == 0xFE) || (byte(0) == 0xFE && byte(1) == 0xFF);
+  if (has_mark || (is_text(0) && is_null(1) && is_text(2) && is_null(3)) ||
+      (is_null(0) && is_text(1) && is_null(2) && is_text(3)))
+    throw std::runtime_error(
+        "this is text in UTF-16, which is not supported: convert it to UTF-8, for instance by "
+        "iconv -f UTF-16 -t UTF-8");
+}
+
+void check_use(const Format& format, const Read_options& options)
+{
+  check_support(format);
+  if (!options.columns.empty() && !format.has_columns)
+    throw std::runtime_error("--columns is for text, but the format is " + format.name);
+}
+
 /// Reads from a stream. Who need not have all of the bytes in memory reads a copy on the disk.
 std::unique_ptr<Point_file> read_stream(std::istream& in, std::size_t size, const Format* format,
-                                        bool with_normals)
+                                        const Read_options& options)
 {
   std::string start(1024, '\0');
   in.read(start.data(), std::streamsize(start.size()));
   start.resize(std::size_t(in.gcount()));
   const Format* const known = format ? format : format_with_magic(start);
   if (!known || !known->read_path)
-    return read_point_bytes(read_bytes(in, size, std::move(start)), format, with_normals);
+    return read_point_bytes(read_bytes(in, size, std::move(start)), format, options);
+  check_use(*known, options);
   const Spool_file copy;
   std::ofstream out(copy.path(), std::ios::binary);
   out << start;
@@ -68,7 +93,7 @@ std::unique_ptr<Point_file> read_stream(std::istream& in, std::size_t size, cons
     out << in.rdbuf();
   if (!out.flush())
     throw std::runtime_error("writing to " + copy.path().string() + " failed");
-  std::unique_ptr<Point_file> file = known->read_path(copy.path(), with_normals);
+  std::unique_ptr<Point_file> file = known->read_path(copy.path(), options);
   file->format = known;
   return file;
 }
@@ -83,33 +108,34 @@ std::unique_ptr<Point_file> read_stream(std::istream& in, std::size_t size, cons
 } // namespace
 
 std::unique_ptr<Point_file> read_point_bytes(std::string bytes, const Format* format,
-                                             bool with_normals)
+                                             const Read_options& options)
 {
+  refuse_wide_characters(bytes);
   if (!format)
     format = &format_of_bytes(bytes);
-  check_support(*format);
-  std::unique_ptr<Point_file> file = format->read(std::move(bytes), with_normals);
+  check_use(*format, options);
+  std::unique_ptr<Point_file> file = format->read(std::move(bytes), options);
   file->format = format;
   return file;
 }
 
 std::unique_ptr<Point_file> read_point_file(const std::filesystem::path& path, const Format* format,
-                                            bool with_normals)
+                                            const Read_options& options)
 {
   const bool from_stream = is_standard_stream(path);
   try {
     if (!format && !from_stream)
       format = &format_of(path);
     if (format)
-      check_support(*format);
+      check_use(*format, options);
     if (from_stream)
-      return read_stream(std::cin, 0, format, with_normals);
+      return read_stream(std::cin, 0, format, options);
     if (!format->read_path || !std::filesystem::is_regular_file(path)) {
       std::ifstream stream;
       const std::size_t size = open(stream, path);
-      return read_stream(stream, size, format, with_normals);
+      return read_stream(stream, size, format, options);
     }
-    std::unique_ptr<Point_file> file = format->read_path(path, with_normals);
+    std::unique_ptr<Point_file> file = format->read_path(path, options);
     file->format = format;
     return file;
   }

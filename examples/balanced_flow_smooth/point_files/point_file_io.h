@@ -16,14 +16,13 @@ namespace point_files {
 
 /// Reads a point set; throws `std::runtime_error` with the reason if it can not.
 /// \param format if it is null, it is found from the name, and for standard input from the bytes
-/// \param with_normals whether normals are wanted that are not in the file
 std::unique_ptr<Point_file> read_point_file(const std::filesystem::path& path, const Format* format,
-                                            bool with_normals);
+                                            const Read_options& options);
 
 /// The same from all bytes of a file.
 /// \param format if it is null, it is found from the bytes
 std::unique_ptr<Point_file> read_point_bytes(std::string bytes, const Format* format,
-                                             bool with_normals);
+                                             const Read_options& options);
 
 /// Throws `std::runtime_error` if the output could not be written, before any work is done.
 /// \param format null if it is not known before the input is read

@@ -37,8 +37,15 @@ void write_rows(std::ostream& out, const Point_file& file, const Append& append,
   });
 }
 
-/// Lines of text with blanks between the numbers
-void write_text_rows(std::ostream& out, const Point_file& file);
+/// Lines of text with a separator between the numbers
+void write_text_rows(std::ostream& out, const Point_file& file, char separator = ' ');
+
+/// What is in these lines, for the line before them
+std::string names_of_rows(const Point_file& file, char separator = ' ');
+
+/// The name of a column, without what ends words in any of our formats, and none of those that
+/// coordinates and normals have
+std::string column_name(const Property& column);
 
 } // namespace point_files
 

@@ -11,8 +11,8 @@ fails_with() { # fails_with code "part of the message" command...
   echo "exit code $status (expected $code), output: $out (expected: $message)"
   return 1
 }
-# the words of the lines from one word on
-words_from() { sed 's/\r//' "$2" | cut -d' ' -f"$1"-; }
+# the words of the lines from one word on, without comments
+words_from() { sed 's/\r//; /^#/d' "$2" | cut -d' ' -f"$1"-; }
 # some of the first three words of the lines differ
 moved() { [ "$(cut -d' ' -f1-3 "$1" | paste - <(cut -d' ' -f1-3 "$2") | awk '$1 != $4 || $2 != $5 || $3 != $6' | wc -l)" -ge 1 ]; }
 

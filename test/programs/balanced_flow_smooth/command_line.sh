@@ -38,6 +38,48 @@ check "all are as they should" bash -c "cmp 'second/scan 1.xyz' out.xyz && cmp '
 check "with a new extension" bash -c "'$program' -d out 'first/scan 1.xyz' --output-format ply -q && head -1 'out/scan 1.ply' | grep -q ply"
 check "nothing else is left" bash -c "! ls */*.part 2> /dev/null"
 
+# ---- no option swallows a file, and no input is written over that was not asked to be replaced
+
+mkdir safe kept && for name in a b c; do cp colors.xyz kept/$name.xyz; done
+fresh() { rm -rf safe; cp -r kept safe; mkdir safe/out; } # three files and an empty directory
+smoothed() { for f in "$@"; do cmp "$f" out.xyz || return; done; }
+for json in --json --js; do
+  fresh
+  check "$json before files in place" bash -c "cd safe && '$program' --in-place $json a.xyz b.xyz c.xyz $few > report && grep -q '\"input\": \"a.xyz\"' report"
+  check "all of them are smoothed" smoothed safe/a.xyz safe/b.xyz safe/c.xyz
+  fresh
+  check "$json before files for a directory" bash -c "cd safe && '$program' --output-dir out $json *.xyz $few > report"
+  check "all of them are in it" smoothed safe/out/a.xyz safe/out/b.xyz safe/out/c.xyz
+  check "and as they were beside it" bash -c "for f in a b c; do cmp kept/\$f.xyz safe/\$f.xyz || exit; done"
+done
+check "--print-man takes no file, either" bash -c "'$program' --print-man kept/a.xyz | grep -q '^.TH BALANCED.*1 \"\"'"
+
+fresh
+cd safe
+ln -s a.xyz link.xyz; ln b.xyz hard.xyz; ln -s . here; cp a.xyz out/a.xyz; ln -s out/a.xyz of_out.xyz
+refuses() { # refuses "what" "part of the message" arguments...
+  local what=$1 message=$2
+  shift 2
+  check "refused: $what" fails_with 1 "$message" "$program" $few "$@"
+}
+refuses "an input as the report" "the report would be written over the input a.xyz" -i a.xyz b.xyz --json=a.xyz
+for name in ./a.xyz link.xyz "$PWD/a.xyz" here/a.xyz out/../a.xyz; do
+  refuses "the report $name" "the report would be written over the input a.xyz" a.xyz new.xyz --json=$name
+  refuses "the report $name of a dry run" "the report would be written over the input a.xyz" -n a.xyz --json=$name
+  refuses "the output $name" "is the input itself: to replace a file, use --in-place" a.xyz $name
+  refuses "twice the same in place, $name" "are the same file" -i a.xyz $name
+done
+refuses "a hard link as the report" "the report would be written over the input b.xyz" b.xyz new.xyz --json=hard.xyz
+refuses "a hard link as the output" "hard.xyz is the input itself" b.xyz hard.xyz
+refuses "hard links in place" "b.xyz and hard.xyz are the same file" -i b.xyz hard.xyz
+refuses "an output as the report" "the report would be written over the output" a.xyz new.xyz --json=./new.xyz
+refuses "the output that is another input" "out/a.xyz is the input of_out.xyz" -d out a.xyz of_out.xyz
+refuses "a directory that is the one of the inputs" "is the input itself" -d here a.xyz b.xyz
+check "refused: the file of standard input as output" bash -c "'$program' - a.xyz $few < a.xyz 2>&1 | grep -q 'a.xyz is the input itself'"
+check "refused: the file of standard input as report" bash -c "'$program' - new.xyz --json=a.xyz $few < a.xyz 2>&1 | grep -q 'over the input standard input'"
+cd ..
+check "nothing was written" bash -c "for f in a b c; do cmp kept/\$f.xyz safe/\$f.xyz || exit; done; cmp kept/a.xyz safe/out/a.xyz && [ ! -e safe/new.xyz ]"
+
 # ---- what it does
 
 kitten=$data/points_3/kitten.xyz
@@ -64,7 +106,8 @@ import json
 r = json.load(open("report.json"))
 assert r["program"] == "balanced-flow-smooth" and not r["dry_run"], r
 good, bad = r["files"]
-assert good["status"] == "ok" and good["points"] == 5210 and good["normals"] and good["format"] == "xyz", good
+assert good["status"] == "ok" and good["points"] == 5210 and good["format"] == "xyz", good
+assert not good["normals"] and good["columns"] == {"x": 1, "y": 2, "z": 3} and "look like normals" in good["warnings"][0], good
 assert 0 <= good["noise"] < good["spacing"] and 0 < good["mean_movement"] < 3 * good["spacing"], good
 p = good["parameters"]
 assert 12 <= p["neighbors"]["fewest"] <= p["neighbors"]["most"] <= 128 and p["iterations"] == 5, p

@@ -11,8 +11,8 @@ ply_with "$xyz\nproperty double nx\nproperty double ny\nproperty double nz" > hu
 sed -i 's/vertex 1/vertex 99999999999/' huge.ply
 ply_with "$xyz\nproperty float nx" > partial.ply
 ply_with "$xyz\nproperty float x" > twice.ply
-ply_with "${xyz//float/int}" > integers.ply
-ply_with "$xyz\nproperty int64 id" > int64.ply
+ply_with "${xyz/float x/list uchar float x}" > list_x.ply
+ply_with "$xyz\nproperty complex id" > complex.ply
 ply_with "$xyz\nproperty list float int ids" > list.ply
 ply_with "$xyz" | sed 's/ascii/morse/' > morse.ply
 ply_with "$xyz" > columns.ply
@@ -34,8 +34,8 @@ check "empty file" fails_with 2 "there are no points in it" "$program" empty.xyz
 check "empty PLY" fails_with 2 "not a complete PLY file" "$program" empty.ply no.xyz
 check "PLY, part of a normal" fails_with 2 "nx, ny and nz must be there together" "$program" partial.ply no.xyz
 check "PLY, two x" fails_with 2 "two properties called x" "$program" twice.ply no.xyz
-check "PLY, integer coordinates" fails_with 2 "of type float or double" "$program" integers.ply no.xyz
-check "PLY, unknown type" fails_with 2 'the type in "property int64 id" is not known' "$program" int64.ply no.xyz
+check "PLY, a list of coordinates" fails_with 2 "be numbers and no lists" "$program" list_x.ply no.xyz
+check "PLY, unknown type" fails_with 2 'the type in "property complex id" is not known' "$program" complex.ply no.xyz
 check "PLY, unknown list" fails_with 2 'the type in "property list float int ids" is not known' "$program" list.ply no.xyz
 check "PLY, unknown format" fails_with 2 'the format in "format morse 1.0" is not known' "$program" morse.ply no.xyz
 check "PLY, other columns" fails_with 2 "line 8: 6 columns, but 3 are expected" "$program" columns.ply no.xyz
@@ -62,8 +62,8 @@ check "no files" fails_with 1 "is required" "$program"
 check "no output" fails_with 1 "an output is required" "$program" colors.xyz
 check "three files" fails_with 1 "more than two files need" "$program" a.xyz b.xyz c.xyz
 check "bad value" fails_with 1 "step_length is -1" "$program" colors.xyz no.xyz --step-length -1
-for noise in 0 -1 nan; do
-  check "noise of $noise" fails_with 1 "--noise is $noise, but must be positive" "$program" colors.xyz no.xyz --noise $noise
+for noise in -1 nan; do
+  check "noise of $noise" fails_with 1 "--noise is $noise, but must not be negative" "$program" colors.xyz no.xyz --noise $noise
 done
 check "infinite noise" fails_with 1 "noise is inf, but must be finite" "$program" colors.xyz no.xyz --noise inf
 check "noise that is no number" fails_with 1 "('much') for option '--noise' is invalid" "$program" colors.xyz no.xyz --noise much

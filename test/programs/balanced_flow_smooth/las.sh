@@ -50,7 +50,7 @@ def points(name):
     size, = struct.unpack_from("<H", b, 105)
     s, o = struct.unpack_from("<3d", b, 131), struct.unpack_from("<3d", b, 155)
     return [[i * f + g for i, f, g in zip(struct.unpack_from("<3i", b, begin + k * size), s, o)] for k in range(300)]
-las, text = points(sys.argv[1]), [list(map(float, line.split()[:3])) for line in open(sys.argv[2])]
+las, text = points(sys.argv[1]), [list(map(float, line.split()[:3])) for line in open(sys.argv[2]) if line[0] != "#"]
 worst = max(abs(p - q) for a, b in zip(las, text) for p, q in zip(a, b))
 assert .006 < worst < .0100001, worst
 END
@@ -202,7 +202,10 @@ check "all values are still there" python3 values.py las.ply back.ply
 "$program" "$data/points_3/hippo1.ply" hippo.las -q --iterations 0 2> /dev/null
 check "LAS that we made is one" bash -c "'$program' hippo.las same.las -q --iterations 0 && cmp hippo.las same.las"
 check "text to LAS" bash -c "'$program' colors.xyz colors.las -q --iterations 0 && '$program' colors.las back.xyz -q --iterations 0"
-check "normals become extra bytes" bash -c "'$program' '$data/points_3/kitten.xyz' kitten.las -q && '$program' kitten.las kitten.ply -q --iterations 0 && grep -aq '^property double NormalZ' kitten.ply"
+(echo "# x y z nx ny nz" && cat "$data/points_3/kitten.xyz") > kitten.xyz
+check "normals become extra bytes" bash -c "'$program' kitten.xyz kitten.las -q && '$program' kitten.las kitten.ply -q --iterations 0 && grep -aq '^property double other_NormalZ' kitten.ply"
+printf '%s\n' "# x y z id" "0 0 0 9007199254740993" "1 0 0 -9007199254740993" "0 1 0 9223372036854775807" "1 1 1 4" > ids.xyz
+check "integers of 64 bits keep their digits" bash -c "'$program' ids.xyz ids.las -q --iterations 0 && '$program' ids.las ids2.xyz -q --iterations 0 && [ \"\$(grep -o '[0-9]*$' ids.xyz | tail -4)\" = \"\$(tail -4 ids2.xyz | grep -o '[0-9]*$')\" ]"
 check "which is told when they stay" fails_with 0 "the normals in its extra bytes stay as they are" "$program" kitten.las again.las
 check "failed runs leave no file" bash -c '! ls no.* *.part 2> /dev/null'
 echo "all checks passed"

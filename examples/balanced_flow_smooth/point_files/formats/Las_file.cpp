@@ -29,7 +29,7 @@ Las_file::Las_file(las::Input input)
 void Las_file::for_each_record(bool with_values, const Visitor& visit) const
 {
   const std::size_t width = with_values ? m_fields.all().size() : 0;
-  Record record = {{0., 0., 0.}, {0., 0., 0.}, std::vector<double>(width)};
+  Record record = {{0., 0., 0.}, {0., 0., 0.}, std::vector<Number>(width)};
   const auto reader = las::make_reader(m_input, m_header);
   for (std::uint64_t i = 0; i < m_header.count; ++i) {
     const char* const bytes = reader->next();

@@ -23,11 +23,16 @@ std::size_t Ply_element::fixed_size() const
   return size;
 }
 
-Ply_header::Ply_header(const std::string& bytes)
+Ply_header::Ply_header(const std::string& bytes) : end(size_of_mark(bytes))
 {
   bool has_format = false;
+  // bytes behind the header may look like the second half of a line end, so the first line decides
+  const std::size_t first_end = bytes.find_first_of("\r\n", end);
+  if (first_end != std::string::npos && bytes[first_end] == '\r' &&
+      bytes.compare(first_end, 2, "\r\n") != 0)
+    end_of_line = "\r";
   for (;;) {
-    const std::size_t line_end = bytes.find('\n', end);
+    const std::size_t line_end = bytes.find(end_of_line.back(), end);
     if (line_end == std::string::npos)
       throw std::runtime_error("this is not a complete PLY file");
     std::string line = bytes.substr(end, line_end - end), keyword;

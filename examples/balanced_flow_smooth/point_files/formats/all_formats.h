@@ -11,6 +11,9 @@ namespace point_files {
 
 Format ply_format();
 Format xyz_format();
+Format csv_format(); // this and the next two with xyz_format()
+Format pts_format();
+Format pwn_format();
 Format off_format();
 Format las_format();
 Format laz_format(); // with las_format()

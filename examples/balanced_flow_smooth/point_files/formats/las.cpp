@@ -23,10 +23,11 @@ Format las_or_laz(const char* name)
   format.family = "las";
   format.magic = "LASF";
   format.keeps_normals = false;
-  format.read = [](std::string bytes, bool) -> std::unique_ptr<Point_file> {
+  format.read = [](std::string bytes, const Read_options&) -> std::unique_ptr<Point_file> {
     return std::make_unique<Las_file>(las::Input(std::move(bytes)));
   };
-  format.read_path = [](const std::filesystem::path& path, bool) -> std::unique_ptr<Point_file> {
+  format.read_path = [](const std::filesystem::path& path,
+                        const Read_options&) -> std::unique_ptr<Point_file> {
     return std::make_unique<Las_file>(las::Input(path));
   };
   format.write = [](const Target& target, const Point_file& file) {

@@ -30,8 +30,7 @@ Anatomy parse(std::string bytes)
 {
   Anatomy file;
   file.bytes = std::move(bytes);
-  file.first.bytes = &file.bytes;
-  Line_reader lines(file.first);
+  Line_reader lines(Place{&file.bytes});
   Field line;
   std::vector<Field> words;
   if (!lines.next(line))
@@ -57,14 +56,13 @@ Anatomy parse(std::string bytes)
                  (i == 0 ? " points" : " faces"));
     counts[i] = std::size_t(count);
   }
-  file.count = counts[0];
-  file.first = lines.place();
+  file.blocks = {{lines.place(), counts[0]}};
 
   std::size_t width = 0;
-  for (std::size_t i = 0; i < file.count; ++i) {
+  for (std::size_t i = 0; i < counts[0]; ++i) {
     if (!lines.next(line))
       throw std::runtime_error("the file ends after " + std::to_string(i) + " of " +
-                               std::to_string(file.count) + " points");
+                               std::to_string(counts[0]) + " points");
     lines.split(line, words);
     if (words.size() < 3)
       lines.fail("a point has three coordinates");
@@ -76,7 +74,9 @@ Anatomy parse(std::string bytes)
   const bool with_normals = keyword.find('N') != std::string::npos;
   if (with_normals && width != 0 && width < 6)
     lines.fail("the normals are missing");
-  file.layout = Layout::of_columns(width, with_normals);
+  file.layout = Layout(default_names(width, with_normals));
+  file.layout_source = "the keyword " + keyword;
+  file.has_types = false;
   for (std::size_t i = 0; i < counts[1]; ++i)
     if (!lines.next(line))
       throw std::runtime_error("the file ends after " + std::to_string(i) + " of " +
@@ -94,9 +94,15 @@ Format off_format()
   format.name = format.family = "off";
   format.columns_warning = "OFF has no names for properties, they become columns";
   format.recognizes = [](const std::string& bytes) {
-    return bytes.substr(0, 200).find("OFF") != std::string::npos;
+    Line_reader lines(Place{&bytes});
+    Field line;
+    std::vector<Field> words;
+    if (!lines.next(line))
+      return false;
+    lines.split(line, words);
+    return is_keyword(lines.text(words[0]));
   };
-  format.read = [](std::string bytes, bool) -> std::unique_ptr<Point_file> {
+  format.read = [](std::string bytes, const Read_options&) -> std::unique_ptr<Point_file> {
     return std::make_unique<Raw_file>(parse(std::move(bytes)));
   };
   format.write = [](const Target& target, const Point_file& file) {

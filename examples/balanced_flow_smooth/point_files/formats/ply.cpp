@@ -5,18 +5,23 @@
 #include "Ply_header.h"
 #include "all_formats.h"
 
+#include <algorithm>
 #include <cstddef>
 #include <memory>
 #include <stdexcept>
 #include <string>
 #include <utility>
+#include <vector>
 
 namespace point_files {
 
 namespace {
 
+constexpr Text_style style = {' ', true};
+
 /// Skips the records of an element; throws if they are not all there.
-void skip_element(const Ply_element& element, Encoding encoding, Place& place)
+/// \param by_lines of text: enough if no points come after them, and lines need not be understood
+void skip_element(const Ply_element& element, Encoding encoding, bool by_lines, Place& place)
 {
   const auto fail = [&](std::size_t found) {
     throw std::runtime_error("this is not a complete PLY file: it ends after " +
@@ -27,11 +32,12 @@ void skip_element(const Ply_element& element, Encoding encoding, Place& place)
     return;
   if (encoding == Encoding::TEXT) {
     Line_reader lines(place);
+    Text_cursor records(place, element.properties, style);
     Field line;
     for (std::size_t i = 0; i < element.count; ++i)
-      if (!lines.next(line))
+      if (!(by_lines ? lines.next(line) : records.next() != nullptr))
         fail(i);
-    place = lines.place();
+    place = by_lines ? lines.place() : records.place();
     return;
   }
 
@@ -54,33 +60,44 @@ void skip_element(const Ply_element& element, Encoding encoding, Place& place)
   }
 }
 
+/// Takes an element for the points.
+void take_points(const Ply_element& element, const std::string& end_of_line, const Place& place,
+                 Anatomy& file)
+{
+  const std::vector<Property>& properties = element.properties;
+  file.layout = Layout(properties);
+  file.layout_source = "the names of the properties";
+  file.blocks = {{place, element.count}};
+  for (const Property& property : properties)
+    if (property.count_type)
+      file.losses.push_back("the lists " + property.name);
+
+  const std::string type = name_of(file.layout.normal_type());
+  const auto is_taken = [](const Property& p) { return role_of(p.name)[0] == 'n'; };
+  const bool is_any_taken = std::any_of(properties.begin(), properties.end(), is_taken);
+  file.normals_header.first = element.property_ends[file.layout.last_coordinate()];
+  for (const char axis : {'x', 'y', 'z'})
+    file.normals_header.second +=
+        "property " + type + (is_any_taken ? " normal_" : " n") + axis + end_of_line;
+}
+
 Anatomy parse(std::string bytes)
 {
   Anatomy file;
   const Ply_header header(bytes);
   file.bytes = std::move(bytes);
   file.encoding = header.encoding;
+  file.style = style;
   Place place = {&file.bytes, header.end, header.number_of_lines};
   bool has_points = false;
   for (const Ply_element& element : header.elements) {
-    if (!element.has_points() || has_points)
+    const bool is_point = element.has_points() && !has_points;
+    if (is_point)
+      take_points(element, header.end_of_line, place, file);
+    else
       file.losses.push_back("the PLY element " + element.name);
-    else {
-      has_points = true;
-      file.layout = Layout(element.properties);
-      file.count = element.count;
-      file.first = place;
-      const Layout& layout = file.layout;
-      const std::string end_of_line = header.end_of_line;
-      const std::string type = name_of(layout.coordinate_type());
-      file.normals_header.first = element.property_ends[layout.last_coordinate()];
-      for (const char* name : {"nx", "ny", "nz"})
-        file.normals_header.second += "property " + type + " " + name + end_of_line;
-      for (const Property& property : element.properties)
-        if (property.count_type)
-          file.losses.push_back("the lists " + property.name);
-    }
-    skip_element(element, file.encoding, place);
+    skip_element(element, file.encoding, has_points, place);
+    has_points = has_points || is_point;
   }
   if (!has_points)
     throw std::runtime_error("there are no points in it");
@@ -98,10 +115,10 @@ void write_ply(const Target& target, const Point_file& file)
     if (!file.normals.empty())
       out << "property " << type << ' ' << name << '\n';
   for (const Property& column : file.columns())
-    out << "property " << name_of(column.type) << ' ' << column.name << '\n';
+    out << "property " << name_of(column.type) << ' ' << column_name(column) << '\n';
   out << "end_header\n";
   const bool swapped = !is_little_endian();
-  const auto append = [swapped](std::string& row, Scalar number_type, double number) {
+  const auto append = [swapped](std::string& row, Scalar number_type, const Number& number) {
     append_bytes(row, number_type, number, swapped);
   };
   write_rows(out, file, append, "");
@@ -113,8 +130,11 @@ Format ply_format()
 {
   Format format;
   format.name = format.family = "ply";
-  format.magic = "ply";
-  format.read = [](std::string bytes, bool) -> std::unique_ptr<Point_file> {
+  format.recognizes = [](const std::string& bytes) {
+    const std::size_t begin = size_of_mark(bytes);
+    return bytes.compare(begin, 3, "ply") == 0 && bytes.find_first_of("\r\n", begin) == begin + 3;
+  };
+  format.read = [](std::string bytes, const Read_options&) -> std::unique_ptr<Point_file> {
     return std::make_unique<Raw_file>(parse(std::move(bytes)));
   };
   format.write = write_ply;

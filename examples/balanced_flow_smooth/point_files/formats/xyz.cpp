@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Text with a point in each line
+// Text with a point in each line: one reader, and formats that differ in what they mean and write
 #include "../Raw_file.h"
 #include "../write_rows.h"
+#include "Text_parser.h"
 #include "all_formats.h"
 
-#include <cmath>
 #include <cstddef>
 #include <memory>
 #include <stdexcept>
@@ -16,76 +16,100 @@ namespace point_files {
 
 namespace {
 
-/// Whether columns 4 to 6 are a unit vector; colors and labels are none.
-bool has_unit_vector(const Line_reader& lines, const std::vector<Field>& words)
+typedef Text_parser::Names Names;
+
+std::unique_ptr<Point_file> read_text(std::string bytes, const Names& columns,
+                                      Names (*names)(std::size_t), const std::string& source)
 {
-  double n[3];
-  for (std::size_t c = 0; c < 3; ++c) {
-    const char* bytes = lines.place().bytes->data();
-    const auto number = words.size() < 6
-                            ? std::nullopt
-                            : from_text(bytes + words[c + 3].begin, bytes + words[c + 3].end);
-    if (!number)
-      return false;
-    n[c] = *number;
-  }
-  return std::abs(std::hypot(n[0], n[1], n[2]) - 1.) < .01;
+  Text_parser parser(std::move(bytes), columns);
+  Anatomy anatomy = parser.parse(names);
+  if (anatomy.layout_source.empty())
+    anatomy.layout_source = source;
+  auto file = std::make_unique<Raw_file>(std::move(anatomy));
+  if (parser.has_unnamed_normals() && file->normals.empty())
+    file->warnings.push_back("columns 4 to 6 look like normals, but nothing says that they are, so "
+                             "they are kept: --columns x,y,z,nx,ny,nz would smooth them, too");
+  return file;
 }
 
-/// "x y z", then normals if all are unit vectors, and whatever else; a first line with the number
-/// of points alone, if there is one.
-Anatomy parse(std::string bytes)
+Names points_first(std::size_t width) { return default_names(width, false); }
+
+Names normals_after_points(std::size_t width)
 {
-  Anatomy file;
-  file.bytes = std::move(bytes);
-  file.first.bytes = &file.bytes;
-  Line_reader lines(file.first);
-  Field line;
-  std::vector<Field> words;
-  std::size_t width = 0;
-  bool announced = false, with_normals = true;
-  double announced_count = 0.;
-  while (lines.next(line)) {
-    lines.split(line, words);
-    if (words.size() == 1 && width == 0 && !announced) {
-      announced = true;
-      announced_count = lines.number(words[0]);
-      file.first = lines.place();
-      continue;
-    }
-    if (words.size() < 3) {
-      for (const Field& word : words)
-        lines.number(word); // may tell more
-      lines.fail("a point has three coordinates");
-    }
-    if (width != 0 && words.size() != width)
-      lines.fail(std::to_string(words.size()) + " columns, but " + std::to_string(width) +
-                 " before");
-    width = words.size();
-    with_normals = with_normals && has_unit_vector(lines, words);
-    ++file.count;
-  }
-  if (announced && announced_count != double(file.count)) {
-    std::string count;
-    append_text(count, Scalar::DOUBLE, announced_count);
-    throw std::runtime_error("the first line announces " + count + " points, but there are " +
-                             std::to_string(file.count));
-  }
-  file.layout = Layout::of_columns(width, with_normals && file.count != 0);
-  return file;
+  if (width < 6)
+    throw std::runtime_error("PWN has normals in columns 4 to 6, but there are " +
+                             std::to_string(width) + " columns (--format xyz reads points alone)");
+  return default_names(width, true);
+}
+
+/// Leica's PTS has an intensity, a color, or both.
+Names names_of_pts(std::size_t width)
+{
+  Names names = {"x", "y", "z"};
+  if (width == 4 || width == 7)
+    names.push_back("intensity");
+  if (width == 6 || width == 7)
+    names.insert(names.end(), {"red", "green", "blue"});
+  return names.size() == width ? names : default_names(width, false);
+}
+
+template <Names (*names)(std::size_t)>
+Format text_format(const char* name)
+{
+  Format format;
+  format.name = format.family = name;
+  format.has_columns = true;
+  format.read = [](std::string bytes, const Read_options& options) {
+    return read_text(std::move(bytes), options.columns, names, "their order");
+  };
+  return format;
 }
 
 } // namespace
 
 Format xyz_format()
 {
-  Format format;
-  format.name = format.family = "xyz";
-  format.extensions = {"pwn", "txt", "pts"};
-  format.read = [](std::string bytes, bool) -> std::unique_ptr<Point_file> {
-    return std::make_unique<Raw_file>(parse(std::move(bytes)));
-  };
+  Format format = text_format<points_first>("xyz");
+  format.extensions = {"txt", "asc"};
   format.write = [](const Target& target, const Point_file& file) {
+    if (!file.normals.empty() || !file.columns().empty()) // three columns are clear
+      target.out << "# " << names_of_rows(file) << '\n';
+    write_text_rows(target.out, file);
+  };
+  return format;
+}
+
+Format csv_format()
+{
+  Format format = text_format<points_first>("csv");
+  format.write = [](const Target& target, const Point_file& file) {
+    target.out << names_of_rows(file, ',') << '\n';
+    write_text_rows(target.out, file, ',');
+  };
+  return format;
+}
+
+Format pts_format()
+{
+  Format format = text_format<names_of_pts>("pts");
+  format.columns_warning = "PTS has no names for properties, they become columns";
+  format.write = [](const Target& target, const Point_file& file) {
+    if (!file.normals.empty()) // they would pass for colors
+      target.out << "# " << names_of_rows(file) << '\n';
+    target.out << file.points.size() << '\n';
+    write_text_rows(target.out, file);
+  };
+  return format;
+}
+
+Format pwn_format()
+{
+  Format format = text_format<normals_after_points>("pwn");
+  format.extensions = {"xyzn"};
+  format.columns_warning = "PWN has no names for properties, they become columns";
+  format.write = [](const Target& target, const Point_file& file) {
+    if (file.normals.empty())
+      throw std::runtime_error("PWN is for points with normals: --normals adds them");
     write_text_rows(target.out, file);
   };
   return format;

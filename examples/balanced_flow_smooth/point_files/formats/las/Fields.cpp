@@ -1,11 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Fields.h"
 
+#include "../../Raw_file.h"
 #include "Bytes.h"
 
 #include <algorithm>
 #include <cctype>
 #include <cmath>
+#include <iterator>
+#include <limits>
+#include <utility>
 
 namespace point_files::las {
 
@@ -13,106 +17,63 @@ namespace {
 
 constexpr std::size_t descriptor_size = 192;
 
-/// Calls a function with a number of the given type.
-template <typename Function>
-auto with_number_of(Extra_type type, const Function& f)
-{
-  switch (type) {
-  case Extra_type::UINT8:
-    return f(std::uint8_t());
-  case Extra_type::INT8:
-    return f(std::int8_t());
-  case Extra_type::UINT16:
-    return f(std::uint16_t());
-  case Extra_type::INT16:
-    return f(std::int16_t());
-  case Extra_type::UINT32:
-    return f(std::uint32_t());
-  case Extra_type::INT32:
-    return f(std::int32_t());
-  case Extra_type::UINT64:
-    return f(std::uint64_t());
-  case Extra_type::INT64:
-    return f(std::int64_t());
-  case Extra_type::FLOAT:
-    return f(float());
-  default:
-    return f(double());
-  }
-}
-
-bool is_large_integer(const Field& field)
-{
-  return field.type == Extra_type::UINT64 || field.type == Extra_type::INT64;
-}
+/// The types of extra bytes; LAS counts from 1 on.
+constexpr Scalar types[] = {Scalar::UINT8,  Scalar::INT8,  Scalar::UINT16, Scalar::INT16,
+                            Scalar::UINT32, Scalar::INT32, Scalar::UINT64, Scalar::INT64,
+                            Scalar::FLOAT,  Scalar::DOUBLE};
 
 } // namespace
 
-std::size_t size_of(Extra_type type)
+unsigned number_of(Scalar type)
 {
-  return with_number_of(type, [](auto number) { return sizeof number; });
+  return unsigned(std::find(std::begin(types), std::end(types), type) - std::begin(types)) + 1;
 }
 
-Extra_type type_of(Scalar scalar)
+Number Field::get(const char* record) const
 {
-  constexpr Extra_type types[] = {Extra_type::INT8,   Extra_type::UINT8, Extra_type::INT16,
-                                  Extra_type::UINT16, Extra_type::INT32, Extra_type::UINT32,
-                                  Extra_type::FLOAT,  Extra_type::DOUBLE};
-  return types[std::size_t(scalar)];
+  const Number number = number_from_bytes(type, record + at, !is_little_endian());
+  if (bits != 0)
+    return std::get<std::uint64_t>(number) >> shift & ((1u << bits) - 1);
+  if (scale != 1. || offset != 0.)
+    return to_double(number) * scale + offset;
+  return number;
 }
 
-double Field::get(const char* record) const
+void Field::put(char* record, const Number& number) const
 {
-  return with_number_of(type, [&](auto number) {
-    number = las::get<decltype(number)>(record + at);
-    if (bits != 0)
-      return double(unsigned(number) >> shift & ((1u << bits) - 1));
-    return double(number) * scale + offset;
+  if (bits != 0) { // of a byte
+    const auto others = las::get<std::uint8_t>(record + at);
+    las::put(record + at, std::uint8_t(others | unsigned(to_double(number)) << shift));
+    return;
+  }
+  std::string bytes;
+  append_bytes(bytes, type, number, !is_little_endian());
+  std::copy(bytes.begin(), bytes.end(), record + at);
+}
+
+bool Field::holds(const Number& number) const
+{
+  const double value = to_double(number);
+  if (type == Scalar::DOUBLE)
+    return std::holds_alternative<double>(number) || std::abs(value) < std::ldexp(1., 53);
+  const auto [smallest, largest] = with_number_of(type, [](auto t) {
+    typedef std::numeric_limits<decltype(t)> Limits;
+    return std::make_pair(double((Limits::lowest)()), double((Limits::max)()));
   });
+  return std::floor(value) == value && value >= smallest &&
+         value <= (bits != 0 ? double((1u << bits) - 1) : largest);
 }
 
-void Field::put(char* record, double number) const
-{
-  with_number_of(type, [&](auto typed) {
-    typedef decltype(typed) Number;
-    typed = static_cast<Number>(number);
-    if (bits != 0) // these are bytes
-      typed = static_cast<Number>(unsigned(las::get<std::uint8_t>(record + at)) | unsigned(number)
-                                                                                      << shift);
-    las::put(record + at, typed);
-  });
-}
-
-bool Field::holds(double number) const
-{
-  if (type == Extra_type::DOUBLE)
-    return true;
-  const double smallest = with_number_of(
-      type, [](auto t) { return double((std::numeric_limits<decltype(t)>::lowest)()); });
-  const double largest = bits != 0 ? double((1u << bits) - 1) : with_number_of(type, [](auto t) {
-    return double((std::numeric_limits<decltype(t)>::max)());
-  });
-  if (!(number >= smallest && number <= largest))
-    return false;
-  return type == Extra_type::FLOAT ? double(float(number)) == number : std::floor(number) == number;
-}
-
-Scalar Field::scalar() const
-{
-  constexpr Scalar scalars[] = {Scalar::UINT8,  Scalar::INT8,  Scalar::UINT16, Scalar::INT16,
-                                Scalar::UINT32, Scalar::INT32, Scalar::DOUBLE, Scalar::DOUBLE,
-                                Scalar::FLOAT,  Scalar::DOUBLE};
-  return scale != 1. || offset != 0. ? Scalar::DOUBLE : scalars[std::size_t(type) - 1];
-}
+Scalar Field::scalar() const { return scale != 1. || offset != 0. ? Scalar::DOUBLE : type; }
 
 std::vector<Field> fields_of(unsigned format)
 {
-  std::vector<Field> fields = {{"Intensity", Extra_type::UINT16, 12}};
-  const auto add = [&](const char* name, Extra_type type, std::size_t at, unsigned shift = 0,
+  std::vector<Field> fields = {{"Intensity", Scalar::UINT16, 12}};
+  const auto add = [&](const char* name, Scalar type, std::size_t at, unsigned shift = 0,
                        unsigned bits = 0) {
     fields.push_back({name, type, at, shift, bits});
   };
-  constexpr Extra_type byte = Extra_type::UINT8;
+  constexpr Scalar byte = Scalar::UINT8;
   const bool is_new = format >= 6;
   const unsigned width = is_new ? 4 : 3;
   add("ReturnNumber", byte, 14, 0, width);
@@ -131,23 +92,23 @@ std::vector<Field> fields_of(unsigned format)
     add("ScannerChannel", byte, 15, 4, 2);
   add("UserData", byte, 17);
   if (is_new)
-    add("ScanAngle", Extra_type::INT16, 18);
+    add("ScanAngle", Scalar::INT16, 18);
   else
-    add("ScanAngleRank", Extra_type::INT8, 16);
-  add("PointSourceId", Extra_type::UINT16, is_new ? 20 : 18);
+    add("ScanAngleRank", Scalar::INT8, 16);
+  add("PointSourceId", Scalar::UINT16, is_new ? 20 : 18);
   std::size_t at = is_new ? 22 : 20;
   if (is_new || (format != 0 && format != 2 && format <= 5)) {
-    add("GpsTime", Extra_type::DOUBLE, at);
+    add("GpsTime", Scalar::DOUBLE, at);
     at += 8;
   }
   const bool has_infrared = format == 8 || format == 10;
   if (format == 2 || format == 3 || format == 5 || format == 7 || has_infrared)
     for (const char* color : {"Red", "Green", "Blue"}) {
-      add(color, Extra_type::UINT16, at);
+      add(color, Scalar::UINT16, at);
       at += 2;
     }
   if (has_infrared)
-    add("Infrared", Extra_type::UINT16, at);
+    add("Infrared", Scalar::UINT16, at);
   return fields;
 }
 
@@ -159,9 +120,6 @@ std::string unique_name(std::string name, const std::vector<Field>& others)
   if (name.empty())
     name = "ExtraBytes";
   const auto is_taken = [&](const std::string& wanted) {
-    for (const char* reserved : {"x", "y", "z", "nx", "ny", "nz"})
-      if (wanted == reserved)
-        return true;
     return std::any_of(others.begin(), others.end(),
                        [&](const Field& other) { return other.name == wanted; });
   };
@@ -195,7 +153,7 @@ void Fields::add_extra(const char* descriptor)
   }
   const std::string name = get_text(descriptor + 4, 32);
   Field field;
-  field.type = Extra_type((number - 1) % 10 + 1);
+  field.type = types[(number - 1) % 10];
   const unsigned elements = (number - 1) / 10 + 1; // 2 and 3 in older files
   for (unsigned i = 0; i < elements; ++i) {
     if ((options & 8) != 0)
@@ -218,9 +176,6 @@ std::vector<std::string> Fields::losses(const Header& header) const
   if (m_described < header.record_size)
     losses.push_back("the " + std::to_string(header.record_size - m_described) +
                      " extra bytes of each point that are not described");
-  for (const Field& field : m_fields)
-    if (is_large_integer(field))
-      losses.push_back("more than 53 bits of " + field.name);
   return losses;
 }
 

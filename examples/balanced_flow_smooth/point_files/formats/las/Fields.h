@@ -12,46 +12,32 @@
 
 namespace point_files::las {
 
-/// The types of extra bytes, by their numbers in LAS, from 1 on
-enum class Extra_type {
-  UINT8 = 1,
-  INT8,
-  UINT16,
-  INT16,
-  UINT32,
-  INT32,
-  UINT64,
-  INT64,
-  FLOAT,
-  DOUBLE
-};
-
-std::size_t size_of(Extra_type type);
-Extra_type type_of(Scalar scalar);
-
 /// A number in the record of a point, other than a coordinate
 struct Field {
   std::string name;
-  Extra_type type = Extra_type::UINT8; // of the bytes where it is
+  Scalar type = Scalar::UINT8; // of the bytes where it is
   std::size_t at = 0;
   unsigned shift = 0, bits = 0; // no bits: it has all of its bytes
   double scale = 1., offset = 0.;
 
-  double get(const char* record) const;
+  Number get(const char* record) const;
   /// \param number one that `holds()`
-  void put(char* record, double number) const;
+  void put(char* record, const Number& number) const;
 
-  /// Whether the number is one of this field, to the last digit
-  bool holds(double number) const;
+  /// Whether the number is one of this field of a point format, to the last digit
+  bool holds(const Number& number) const;
 
   /// The type in other formats
   Scalar scalar() const;
 };
 
+/// The number that LAS has for the type of extra bytes
+unsigned number_of(Scalar type);
+
 /// The fields of a point format, without the waveforms
 std::vector<Field> fields_of(unsigned point_format);
 
-/// The name that a field gets behind others of other formats: without blanks, and the only one
+/// The name that a field gets behind others: the only one, also without blanks
 std::string unique_name(std::string name, const std::vector<Field>& others);
 
 /// The fields of a file: those of its point format, and those of the extra bytes that are described

@@ -63,7 +63,7 @@ void New_las::choose_grid()
   }
 }
 
-Field New_las::add_extra(const std::string& name, Extra_type type)
+Field New_las::add_extra(const std::string& name, Scalar type)
 {
   if (name.size() > name_size)
     fail("the name ", name, " has more than the ", name_size, " characters of LAS");
@@ -91,7 +91,7 @@ void New_las::choose_fields()
   });
   for (std::size_t c = 0; c < columns.size(); ++c) {
     if (chosen[c] == fields.size()) {
-      m_columns.push_back(add_extra(columns[c].name, type_of(columns[c].type)));
+      m_columns.push_back(add_extra(columns[c].name, columns[c].type));
       continue;
     }
     const Field& field = fields[chosen[c]];
@@ -103,7 +103,7 @@ void New_las::choose_fields()
   }
   for (const char* name : {"NormalX", "NormalY", "NormalZ"})
     if (!m_file.normals.empty())
-      m_normals.push_back(add_extra(name, Extra_type::DOUBLE));
+      m_normals.push_back(add_extra(name, Scalar::DOUBLE));
   m_record_size = smallest_record(m_point_format);
   for (auto* list : {&m_columns, &m_normals})
     for (Field& field : *list)
@@ -169,7 +169,7 @@ std::string New_las::extra_bytes_record() const
   put(&bytes[18], std::uint16_t(4));
   put(&bytes[20], std::uint16_t(m_extra.size() * descriptor_size));
   for (std::size_t e = 0; e < m_extra.size(); ++e) {
-    put(&bytes[54 + e * descriptor_size + 2], std::uint8_t(m_extra[e].type));
+    put(&bytes[54 + e * descriptor_size + 2], std::uint8_t(number_of(m_extra[e].type)));
     put_text(bytes, 54 + e * descriptor_size + 4, m_extra[e].name);
   }
   return bytes;

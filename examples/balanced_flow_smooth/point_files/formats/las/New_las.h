@@ -38,7 +38,7 @@ private:
   void choose_grid();
   void choose_fields();
   void find_bounds();
-  Field add_extra(const std::string& name, Extra_type type);
+  Field add_extra(const std::string& name, Scalar type);
   std::string header() const;
   std::string extra_bytes_record() const;
   void fill(std::string& bytes, const Record& record, std::size_t i) const;

@@ -73,7 +73,7 @@ private:
   const std::vector<Neighbor>& search(const Point_3& p)
   {
     m_bound = m_largest;
-    if (m_found.size() == m_k) {
+    if (m_found.size() == m_k && m_k != 0) {
       // the ball of the previous answer holds k points other than this one (its own center
       // instead, if this one was among them): so does, around this point, a ball larger by the
       // distance of the two
@@ -120,7 +120,7 @@ private:
     const Neighbor candidate = {x * x + y * y + z * z, static_cast<std::uint32_t>(i)};
     if (!(candidate.squared_distance <= m_bound) || i == m_center)
       return;
-    if (m_found.size() == m_k) {
+    if (m_found.size() == m_k && m_k != 0) {
       if (!(candidate < m_found.back()))
         return;
       m_found.pop_back();

@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "Text_parser.h"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+#include <utility>
+
+namespace point_files {
+
+void Normals_guess::add(const Line_reader& lines, const std::vector<Field>& words)
+{
+  double n[3];
+  for (std::size_t c = 0; c < 3 && m_are_possible; ++c) {
+    const char* bytes = lines.place().bytes->data();
+    const auto number = words.size() < 6
+                            ? std::nullopt
+                            : from_text(bytes + words[c + 3].begin, bytes + words[c + 3].end);
+    m_are_possible = number.has_value();
+    n[c] = number.value_or(0.);
+  }
+  if (!m_are_possible)
+    return;
+  const double length = std::hypot(n[0], n[1], n[2]);
+  const bool is_unit = std::abs(length - 1.) < .01;
+  m_is_any_known = m_is_any_known || is_unit;
+  m_are_possible = is_unit || length == 0. || std::isnan(length);
+}
+
+Text_parser::Text_parser(std::string bytes, const Names& columns)
+{
+  m_file.bytes = std::move(bytes);
+  m_head = read_text_head(m_file.bytes, columns);
+  m_file.style.separator = m_head.separator;
+  m_file.has_types = false;
+}
+
+Anatomy Text_parser::parse(Default_names names)
+{
+  Line_reader lines(Place{&m_file.bytes}, m_head.separator);
+  m_file.blocks.push_back({lines.place(), 0});
+  Field line;
+  std::vector<Field> words;
+  while (lines.next(line)) {
+    lines.split(line, words);
+    if (lines.place().line == m_head.header_line)
+      m_file.blocks.back().first = lines.place();
+    else if (words.size() == 1 && (m_count == 0 || m_announced))
+      begin_block(lines, words[0]);
+    else
+      add_point(lines, words);
+  }
+  end_block();
+  if (m_file.blocks.size() > 1)
+    m_file.losses.push_back("the division into scans");
+  set_layout(names);
+  return std::move(m_file);
+}
+
+void Text_parser::begin_block(const Line_reader& lines, const Field& word)
+{
+  const double number = lines.number(word);
+  end_block();
+  m_announced = number;
+  m_announcement = lines.place().line;
+  if (m_file.blocks.back().count != 0)
+    m_file.blocks.emplace_back();
+  m_file.blocks.back().first = lines.place();
+}
+
+void Text_parser::end_block() const
+{
+  const std::size_t count = m_file.blocks.back().count;
+  if (!m_announced || *m_announced == double(count))
+    return;
+  std::string announced;
+  append_text(announced, Scalar::DOUBLE, *m_announced);
+  throw std::runtime_error("line " + std::to_string(m_announcement) + " announces " + announced +
+                           " points, but there are " + std::to_string(count));
+}
+
+void Text_parser::add_point(const Line_reader& lines, const std::vector<Field>& words)
+{
+  if (words.size() < 3) {
+    for (const Field& word : words)
+      lines.number(word); // may tell more
+    lines.fail("a point has three coordinates");
+  }
+  if (m_width != 0 && words.size() != m_width)
+    lines.fail(std::to_string(words.size()) + " columns, but " + std::to_string(m_width) +
+               " before");
+  m_width = words.size();
+  m_normals.add(lines, words);
+  ++m_file.blocks.back().count;
+  ++m_count;
+}
+
+/// The names of all columns, each used once
+Text_parser::Names Text_parser::names_of_columns(Default_names default_names_of) const
+{
+  Names names = m_head.names.empty() ? default_names_of(m_width) : m_head.names;
+  if (names.size() > m_width)
+    throw std::runtime_error(std::to_string(names.size()) + " names of columns, but there are " +
+                             std::to_string(m_width) + " columns");
+  names.resize(m_width);
+  for (std::size_t i = 0; i < m_width; ++i) {
+    const std::string role = role_of(names[i]);
+    const auto end = names.begin() + std::ptrdiff_t(i);
+    if (!role.empty())
+      names[i] = role;
+    else if (names[i].empty() || names[i] == "_")
+      names[i] = "column_" + std::to_string(i + 1);
+    else if (std::find(names.begin(), end, names[i]) != end)
+      names[i] += "_" + std::to_string(i + 1);
+  }
+  return names;
+}
+
+void Text_parser::set_layout(Default_names names)
+{
+  if (m_count == 0)
+    throw std::runtime_error("there are no points in it");
+  m_file.layout = Layout(names_of_columns(names));
+  m_file.layout_source = m_head.source;
+  const std::size_t last = m_file.layout.last_coordinate();
+  if (last >= m_head.name_fields.size())
+    return;
+  std::size_t end = m_head.name_fields[last].end;
+  if (end < m_file.bytes.size() && m_file.bytes[end] == '"')
+    ++end;
+  m_file.normals_header.first = end;
+  for (const char* name : {"nx", "ny", "nz"})
+    m_file.normals_header.second += m_head.name_separator + std::string(name);
+}
+
+} // namespace point_files
