@@ -64,6 +64,20 @@ check "coordinates are rounded to the nearest" python3 nearest.py out.las coarse
 check "normals have no place" fails_with 0 "warning: normals can not be added to a file of the format las" "$program" $file n.las --normals
 check "but the file is written" cmp n.las out_$file
 
+# ---- another program writes to the input
+
+make_las busy.las format=6 points=200000 evlrs=0
+cp busy.las before.las
+"$program" -i busy.las -q 2> busy.log &
+pid=$!
+until ls -l /proc/$pid/fd 2> /dev/null | grep -q busy.las || ! kill -0 $pid 2> /dev/null; do :; done
+sleep 0.2
+touch busy.las
+wait $pid
+check "a file that changes is refused" test $? = 2
+check "with the reason" grep -q "cannot write busy.las: the input was changed by another program in the meantime" busy.log
+check "and stays" cmp busy.las before.las
+
 # ---- files that lie
 
 patch() { # patch FROM TO PLACE FORMAT VALUE: one value differs
@@ -110,6 +124,8 @@ patch $good bad.las 398 H 65535
 refused "a record that is too long" "the header announces 3 variable length records, but number 1, from byte 378 on, ends beyond byte 947" bad.las
 patch $good bad.las 104 B 11
 refused "an unknown point format" "the point format 11 is not known" bad.las
+patch $good bad.las 104 B 71
+refused "a bit of LAZ in LAS" "the point format 71 is not known" bad.las
 patch $good bad.las 105 H 35
 refused "records that are too small" "the header tells that a point has 35 bytes, but those of the point format 7 have at least 36" bad.las
 patch $good bad.las 107 I 299

@@ -22,7 +22,7 @@ Las_file::Las_file(las::Input input)
     warnings.push_back("this is COPC: it is written as LAZ without the records of COPC, unless no "
                        "point changes");
   for (const las::Field& field : m_fields.all())
-    if (field.name == "NormalX")
+    if (role_of(field.name) == "nx")
       warnings.push_back("the normals in its extra bytes stay as they are");
 }
 

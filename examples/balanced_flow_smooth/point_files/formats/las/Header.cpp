@@ -68,7 +68,7 @@ void Header::read_points(const Input& input)
          input.size(), ", where the file does");
   const unsigned format = get<std::uint8_t>(&bytes[at::point_format]);
   is_compressed = (format & 0x80) != 0;
-  point_format = format & 0x3f; // the bit between has a meaning in old LAZ only
+  point_format = is_compressed ? format & 0x3f : format; // the bit between is one of old LAZ
   if (point_format >= std::size(record_sizes))
     fail("the point format ", point_format, " is not known, only 0 to 10");
   record_size = get<std::uint16_t>(&bytes[at::record_size]);
