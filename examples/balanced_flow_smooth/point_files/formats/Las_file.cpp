@@ -17,7 +17,8 @@ namespace point_files {
 Las_file::Las_file(las::Input input)
     : m_input(std::move(input)), m_header(m_input), m_fields(m_input, m_header)
 {
-  load(std::size_t(m_header.count), false);
+  // a number of compressed points can lie: memory comes as the file gives reasons for it
+  load(std::size_t((std::min)(m_header.count, m_input.size())), false);
   if (m_header.is_copc())
     warnings.push_back("this is COPC: it is written as LAZ without the records of COPC, unless no "
                        "point changes");
