@@ -94,7 +94,8 @@ std::unique_ptr<Point_file> read_stream(std::istream& in, std::size_t size, cons
   if (!out.flush())
     throw std::runtime_error("writing to " + copy.path().string() + " failed");
   std::unique_ptr<Point_file> file = known->read_path(copy.path(), options);
-  file->format = known;
+  if (!file->format)
+    file->format = known;
   return file;
 }
 
@@ -115,7 +116,8 @@ std::unique_ptr<Point_file> read_point_bytes(std::string bytes, const Format* fo
     format = &format_of_bytes(bytes);
   check_use(*format, options);
   std::unique_ptr<Point_file> file = format->read(std::move(bytes), options);
-  file->format = format;
+  if (!file->format)
+    file->format = format;
   return file;
 }
 
@@ -136,6 +138,7 @@ std::unique_ptr<Point_file> read_point_file(const std::filesystem::path& path, c
       return read_stream(stream, size, format, options);
     }
     std::unique_ptr<Point_file> file = format->read_path(path, options);
+    if (!file->format)
     file->format = format;
     return file;
   }

@@ -106,6 +106,7 @@ file=1.4_7.laz
 check "a stream" bash -c "'$program' - - -q < $file | cmp - out.laz"
 check "a pipe" bash -c "cat $file | '$program' - - -q | cmp - out.laz"
 check "in place" bash -c "cp $file place.laz && '$program' -i place.laz -q && cmp place.laz out.laz"
+check "LAZ under the name of LAS stays LAZ in place" bash -c "cp $file place.las && '$program' -i place.las -q && cmp place.las out.laz"
 check "LAZ into a stream" bash -c "'$program' 1.4_7.las - --output-format laz -q > stream.laz && python3 laz.py compare 1.4_7.las stream.laz"
 check "nothing is spooled for long" bash -c "mkdir spool && TMPDIR=\$PWD/spool '$program' - - -q < $file > stream.laz && rmdir spool"
 check "other formats become LAZ" bash -c "'$program' '$data/points_3/hippo1.ply' hippo.laz -q && '$convert_las' hippo.laz hippo.las"

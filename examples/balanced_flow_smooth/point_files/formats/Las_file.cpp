@@ -17,6 +17,7 @@ namespace point_files {
 Las_file::Las_file(las::Input input)
     : m_input(std::move(input)), m_header(m_input), m_fields(m_input, m_header)
 {
+  format = find_format(m_header.is_compressed ? "laz" : "las"); // whatever its name
   // a number of compressed points can lie: memory comes as the file gives reasons for it
   load(std::size_t((std::min)(m_header.count, m_input.size())), false);
   if (m_header.is_copc())
