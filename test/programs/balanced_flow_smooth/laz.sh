@@ -160,5 +160,17 @@ b[b.index(b"laszip encoded")] = 120
 open("bad.laz", "wb").write(b)
 END
 refused "no record of LASzip" "the points are compressed, but there is no complete record \"laszip encoded\"" bad.laz
+python3 - <<'END'
+# a compression that is not known, with other records behind that which tells it
+import struct
+b = bytearray(open("1.2_3.laz", "rb").read())
+begin, = struct.unpack_from("<I", b, 96)
+at = b.index(b"laszip encoded") - 2
+record = b[at:at + 54 + struct.unpack_from("<H", b, at + 20)[0]]
+struct.pack_into("<H", record, 54 + 2, 9)
+head = struct.unpack_from("<H", b, 94)[0]
+open("bad.laz", "wb").write(b[:head] + record + b[head:at] + b[at + len(record):])
+END
+refused "an unknown compression" "the compressed points can not be read (" bad.laz
 check "failed runs leave no file" bash -c '! ls no.* *.part 2> /dev/null'
 echo "all checks passed"

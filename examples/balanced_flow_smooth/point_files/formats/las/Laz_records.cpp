@@ -8,6 +8,8 @@
 #include "Laszip_point.h"
 
 #include <laszip/laszip_api.h>
+
+#include <utility>
 #endif
 
 namespace point_files::las {
@@ -61,6 +63,14 @@ public:
     laszip_close_writer(m_laszip);
     laszip_destroy(m_laszip);
   }
+
+  /// Opens a reader. One that failed is not destroyed: LASzip would free what it never had.
+  void open(std::istream& in)
+  {
+    laszip_BOOL is_compressed = 0;
+    if (laszip_open_reader_stream(m_laszip, in, &is_compressed) != 0)
+      fail_of(std::exchange(m_laszip, nullptr), "the compressed points can not be read");
+  }
   Laszip(const Laszip&) = delete;
   Laszip& operator=(const Laszip&) = delete;
 
@@ -69,11 +79,8 @@ public:
   /// Throws `std::runtime_error` with what LASzip says if a function of it has failed.
   void check(laszip_I32 result, const std::string& what) const
   {
-    laszip_CHAR* reason = nullptr;
-    if (result == 0)
-      return;
-    laszip_get_error(m_laszip, &reason);
-    fail(what, " (", reason ? reason : "LASzip tells no reason", ")");
+    if (result != 0)
+      fail_of(m_laszip, what);
   }
 
   void prepare_writing(unsigned point_format, std::size_t record_size) const
@@ -82,6 +89,14 @@ public:
         laszip_set_point_type_and_size(m_laszip, laszip_U8(point_format), laszip_U16(record_size)),
         "LASzip can not compress these points");
     check(laszip_request_native_extension(m_laszip, 1), "LASzip can not compress these points");
+  }
+
+private:
+  [[noreturn]] static void fail_of(laszip_POINTER laszip, const std::string& what)
+  {
+    laszip_CHAR* reason = nullptr;
+    laszip_get_error(laszip, &reason);
+    fail(what, " (", reason ? reason : "LASzip tells no reason", ")");
   }
 };
 
@@ -129,9 +144,7 @@ public:
       : m_in(input.stream()), m_point(header.point_format), m_count(header.count),
         m_record(header.record_size, '\0')
   {
-    laszip_BOOL is_compressed = 0;
-    m_laszip.check(laszip_open_reader_stream(m_laszip, m_in, &is_compressed),
-                   "the compressed points can not be read");
+    m_laszip.open(m_in);
   }
 
   char* next() override
