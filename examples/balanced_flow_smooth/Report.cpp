@@ -94,6 +94,7 @@ nlohmann::ordered_json to_json(const File_report& r, const Settings& settings)
     json["output_format"] = r.output_format;
   if (r.points != 0) {
     json["points"] = r.points;
+    json["invalid_points"] = r.invalid_points;
     json["normals"] = r.normals;
     json["unknown_normals"] = r.unknown_normals;
     for (const auto& [role, column] : r.roles)
@@ -156,6 +157,9 @@ void print_summary(std::ostream& out, const File_report& r, const Settings& sett
   if (settings.jobs.size() > 1)
     out << r.job.input.string() << "\n";
   out << "points            " << r.points << "\n";
+  if (r.invalid_points != 0)
+    out << "invalid points    " << r.invalid_points
+        << (r.drops_invalid ? ", dropped" : ", kept as they are") << "\n";
   if (!r.roles.empty())
     out << "columns           " << roles_to_text(r) << "\n";
   out << "spacing           " << r.smoothing->spacing << "\n"

@@ -20,6 +20,8 @@ struct File_report {
   std::string status = "ok", message; // "ok", "failed" or "interrupted", and why
   std::string format, output_format;
   std::size_t points = 0;
+  std::size_t invalid_points = 0;
+  bool drops_invalid = false;
   bool normals = false;
   std::size_t unknown_normals = 0; // in the input: null vectors, and those that are not finite
   std::vector<std::pair<std::string, std::size_t>> roles; // see `point_files::Point_file`

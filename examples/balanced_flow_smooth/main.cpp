@@ -7,6 +7,7 @@
 #include "command_line/Manual.h"
 #include "command_line/print_completion.h"
 #include "command_line/print_manual.h"
+#include "point_files/invalid_points.h"
 #include "point_files/point_file_io.h"
 #include "smooth.h"
 
@@ -40,8 +41,9 @@ std::unique_ptr<point_files::Point_file> read(const std::filesystem::path& input
                                               const Settings& settings)
 {
   const Nothing_at_stake nothing_at_stake;
-  return point_files::read_point_file(input, settings.input_format,
-                                      {settings.normals, settings.columns});
+  return point_files::read_point_file(
+      input, settings.input_format,
+      {settings.normals, settings.columns, settings.invalid, settings.zeros_are_invalid});
 }
 
 /// Smooths one file.
@@ -59,7 +61,9 @@ bool run(const Settings& settings, File_report& report)
     output_format = file->format;
   report.format = file->format->name;
   report.output_format = output_format->name;
-  report.points = file->points.size();
+  report.points = file->points.size() - file->invalid.size();
+  report.invalid_points = file->invalid.size();
+  report.drops_invalid = file->drops_invalid;
   report.normals = settings.normals || !file->normals.empty();
   report.unknown_normals = std::size_t(std::count_if(file->normals.begin(), file->normals.end(),
                                                      [](const auto& n) { return !is_known(n); }));
@@ -67,8 +71,9 @@ bool run(const Settings& settings, File_report& report)
   report.roles_source = file->roles_source;
 
   if (settings.normals)
-    file->add_normals();
+    file->add_normals(settings.smoothing.makes_steps());
 
+  point_files::Set_aside invalid_points(*file);
   CGAL::Real_timer timer;
   timer.start();
   const Progress_bar progress(!settings.quiet && isatty(STDERR_FILENO));
@@ -76,9 +81,11 @@ bool run(const Settings& settings, File_report& report)
   if (settings.dry_run)
     smoothing = analyze(file->points, settings.smoothing, progress);
   else
-    smooth(file->points, file->normals, settings.smoothing, progress, smoothing);
+    smooth(file->points, file->normals.empty() ? file->sides : file->normals, settings.smoothing,
+           progress, smoothing);
   if (interrupt != 0)
     return false;
+  invalid_points.put_back();
   report.smoothing = smoothing;
   if (!settings.dry_run)
     point_files::warn_of_losses(*file, *output_format);

@@ -82,10 +82,38 @@ bool try_bytes(const std::string& bytes, const Format* format)
   return true;
 }
 
+/// Keeps and drops points that are not finite.
+void try_invalid_points(const std::string& bytes)
+{
+  Read_options options;
+  std::unique_ptr<Point_file> file;
+  std::string written;
+  try {
+    options.invalid = Invalid::KEEP;
+    file = read_point_bytes(bytes, nullptr, options);
+    require(to_bytes(*file, *file->format) == bytes, "what is kept is the same");
+    options.invalid = Invalid::DROP;
+    file = read_point_bytes(bytes, nullptr, options);
+    written = to_bytes(*file, *file->format);
+  }
+  catch (const std::exception&) { // says what is wrong
+    return;
+  }
+  try {
+    require(read_point_bytes(written, file->format, {})->points.size() ==
+                file->number_of_points_to_write(),
+            "only the invalid points are dropped");
+  }
+  catch (const std::exception& e) {
+    require(false, e.what());
+  }
+}
+
 /// The same as if the name of the file told each of the formats, for small files
 bool try_formats(const std::string& bytes)
 {
   const bool is_good = try_bytes(bytes, nullptr);
+  try_invalid_points(bytes);
   for (const Format& format : all_formats())
     if (bytes.size() < 2000 && format.library.empty())
       try_bytes(bytes, &format);

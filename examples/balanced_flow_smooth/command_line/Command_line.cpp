@@ -54,6 +54,10 @@ Settings Command_line::settings()
   m_settings.input_format = point_files::find_format(m_format);
   m_settings.output_format = point_files::find_format(m_output_format);
   set_columns();
+  if (has("invalid"))
+    m_settings.invalid = m_invalid == "keep"   ? point_files::Invalid::KEEP
+                         : m_invalid == "drop" ? point_files::Invalid::DROP
+                                               : point_files::Invalid::ERROR;
   set_smoothing();
   set_jobs();
   if (m_settings.report == "-" && m_settings.points_to_standard_output())

@@ -28,7 +28,7 @@ class Command_line {
   int m_k = 0, m_iterations = 0, m_update_period = 4, m_threads = 0;
   double m_noise = 0., m_feature_threshold = 0., m_filter_width = 0.;
   bool m_in_place = false;
-  std::string m_output_directory, m_format, m_output_format, m_columns;
+  std::string m_output_directory, m_format, m_output_format, m_columns, m_invalid;
   std::vector<std::string> m_files;
   Settings m_settings;
   boost::program_options::variables_map m_given;

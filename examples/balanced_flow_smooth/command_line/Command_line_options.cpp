@@ -37,6 +37,7 @@ const std::map<std::string, std::vector<std::string>>& choices()
       {"curvature", {"tangent-plane", "covariance"}},
       {"format", names_of_formats()},
       {"output-format", names_of_formats()},
+      {"invalid", {"keep", "drop", "error"}},
       {"print-completion", {"bash", "zsh", "fish"}},
   };
   return table;
@@ -57,6 +58,11 @@ void Command_line::add_file_options(Option_group& group)
     ("columns", options::value(&m_columns)->value_name("NAMES"),
      "what the columns of text are, whatever its header says, for instance x,y,z,nx,ny,nz or x,y,z,_,intensity; _ or "
      "nothing: no name, and so are those that are left")
+    ("invalid", options::value(&m_invalid)->value_name("WHAT"),
+     "what to do with points whose coordinates are not finite: keep them in their places as they are, drop them, or "
+     "error; by default they are kept if the format has a meaning for them, and are an error else")
+    ("invalid-zeros", options::bool_switch(&m_settings.zeros_are_invalid),
+     "points at (0, 0, 0) are invalid, too, whatever the format")
     ("normals", options::bool_switch(&m_settings.normals),
      "write normals even if the input has none, or some that are null vectors or NaN, which else stay");
 }

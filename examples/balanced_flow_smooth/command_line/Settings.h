@@ -40,6 +40,8 @@ struct Settings {
   std::vector<Job> jobs;
   const point_files::Format *input_format = nullptr, *output_format = nullptr; // null: to be found
   std::vector<std::string> columns; // the names of those of text; empty: to be found
+  point_files::Invalid invalid = point_files::Invalid::BY_FORMAT;
+  bool zeros_are_invalid = false;
   std::string report; // the file of the JSON report, "-" for standard output, empty for none
   unsigned int threads = 0;
   bool normals = false, quiet = false, dry_run = false;

@@ -12,10 +12,16 @@ namespace point_files {
 class Point_file;
 struct Target;
 
+/// What becomes of points that are none, with coordinates that are not finite or all 0. By default
+/// they are kept where the format has a meaning for them, and are an error elsewhere.
+enum class Invalid { BY_FORMAT, KEEP, DROP, ERROR };
+
 /// What readers are told beside the bytes
 struct Read_options {
   bool with_normals = false;        // whether normals are wanted even if there are none in the file
   std::vector<std::string> columns; // the names of columns of text; empty if the file tells them
+  Invalid invalid = Invalid::BY_FORMAT;
+  bool zeros_are_invalid = false; // also where the format does not say so
 };
 
 /// A format of point files, and all that is to be known of it outside of its own file in the folder

@@ -118,6 +118,14 @@ Field Line_reader::next_cell(std::size_t& at, std::size_t end) const
   return cell;
 }
 
+std::size_t Line_reader::end_of_cell(const Field& word) const
+{
+  if (m_separator == ' ')
+    return word.end;
+  const char ends[] = {m_separator, '\r', '\n', '\0'};
+  return (std::min)(m_place.bytes->find_first_of(ends, word.end), m_place.bytes->size());
+}
+
 double Line_reader::number(const Field& word) const
 {
   const char* bytes = m_place.bytes->data();
@@ -139,6 +147,18 @@ void Line_reader::fail_to_read(const std::string& word) const
   const char* begin = with_point.data();
   const bool has_comma = with_point != word && from_text(begin, begin + with_point.size());
   fail("\"" + word + "\" is not a number" + (has_comma ? ": decimals need a point" : ""));
+}
+
+void Line_reader::check_columns(const std::vector<Field>& words, std::size_t& width) const
+{
+  if (words.size() < 3) {
+    for (const Field& word : words)
+      number(word); // may tell more
+    fail("a point has three coordinates");
+  }
+  if (width != 0 && words.size() != width)
+    fail(std::to_string(words.size()) + " columns, but " + std::to_string(width) + " before");
+  width = words.size();
 }
 
 void Line_reader::fail(const std::string& reason) const

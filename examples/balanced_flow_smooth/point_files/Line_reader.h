@@ -53,6 +53,9 @@ public:
   /// The same, behind other words
   void append_words(const Field& line, std::vector<Field>& words) const;
 
+  /// Where the cell of a word ends, so that another one can come
+  std::size_t end_of_cell(const Field& word) const;
+
   std::string text(const Field& word) const
   {
     return m_place.bytes->substr(word.begin, word.end - word.begin);
@@ -62,6 +65,10 @@ public:
   double number(const Field& word) const;
   /// The same with all digits of an integer
   Number exact_number(const Field& word) const;
+
+  /// Throws `std::runtime_error` unless the words are a point with as many columns as those before.
+  /// \param width the number of these columns; 0 for the first point, which tells it
+  void check_columns(const std::vector<Field>& words, std::size_t& width) const;
 
   [[noreturn]] void fail(const std::string& reason) const;
 

@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Point_file.h"
 
-#include <cmath>
 #include <new>
-#include <sstream>
 #include <stdexcept>
 
 namespace point_files {
@@ -16,12 +14,6 @@ void Point_file::load(std::size_t count, bool with_normals)
   normals.reserve(with_normals ? count : 0);
   for_each_record(false, [&](const Record& r) {
     const double *p = r.coordinates, *n = r.normal;
-    if (!(std::isfinite(p[0]) && std::isfinite(p[1]) && std::isfinite(p[2]))) {
-      std::ostringstream reason;
-      reason << "points[" << points.size() << "] is (" << p[0] << ", " << p[1] << ", " << p[2]
-             << "), but coordinates must be finite";
-      throw std::runtime_error(reason.str());
-    }
     points.emplace_back(p[0], p[1], p[2]);
     if (with_normals)
       normals.emplace_back(n[0], n[1], n[2]);

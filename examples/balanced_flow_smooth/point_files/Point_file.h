@@ -7,6 +7,7 @@
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <filesystem>
 #include <functional>
@@ -40,12 +41,19 @@ public:
   const Format* format = nullptr; // of the file; set by `read_point_file()` if its reader does not
   std::vector<Point_3> points;
   std::vector<Vector_3> normals; // empty if there are none
+  /// vectors from the points to the scanner, null where it is not known; empty if it is for none
+  std::vector<Vector_3> sides;
   std::vector<std::string> warnings;
 
   /// what was taken for coordinates and normals: the numbers of columns or properties, from 1 on, and
   /// what told it, for people; empty if the format leaves no choice
   std::vector<std::pair<std::string, std::size_t>> roles;
   std::string roles_source;
+
+  std::vector<std::size_t> invalid; // which points are none, ascending; they are not smoothed
+  bool drops_invalid = false;       // whether these are not written
+  bool defines_invalid = false;     // whether the format has a meaning for them
+  bool zeros_are_invalid = false;   // whether it means them by (0, 0, 0)
 
   virtual ~Point_file() = default;
 
@@ -64,11 +72,27 @@ public:
   virtual std::vector<std::string> losses() const = 0;
   virtual Scalar coordinate_type() const = 0;
 
-  void add_normals() { normals.resize(points.size(), CGAL::NULL_VECTOR); }
+  std::size_t number_of_points_to_write() const
+  {
+    return points.size() - (drops_invalid ? invalid.size() : 0);
+  }
+  bool is_dropped(std::size_t i) const
+  {
+    return drops_invalid && std::binary_search(invalid.begin(), invalid.end(), i);
+  }
+
+  /// Makes room for normals if there are none.
+  /// \param with_sides whether they begin as the sides, if these are known
+  void add_normals(bool with_sides = false)
+  {
+    if (normals.empty() && with_sides)
+      normals = sides;
+    normals.resize(points.size(), CGAL::NULL_VECTOR);
+  }
 
 protected:
   /// Reads the points, and the normals if there are any; throws `std::runtime_error` if there are no
-  /// points, or if they are not finite.
+  /// points.
   void load(std::size_t count, bool with_normals);
 };
 

@@ -5,9 +5,14 @@
 #include "Column_types.h"
 #include "Line_reader.h"
 #include "Point_file.h"
+#include "Record_cursor.h"
+#include "Scan_frame.h"
 
+#include <cmath>
 #include <cstddef>
+#include <memory>
 #include <optional>
+#include <stdexcept>
 #include <string>
 #include <utility>
 #include <vector>
@@ -23,6 +28,8 @@ bool is_little_endian();
 struct Block {
   Place first; // where they begin
   std::size_t count = 0;
+  std::optional<Field> count_field = std::nullopt;   // where the count is in the file
+  std::shared_ptr<const Scan_frame> frame = nullptr; // of a scan; null: all points share theirs
 };
 
 /// What the readers of the formats find out about the bytes of a file
@@ -36,6 +43,8 @@ struct Anatomy {
   std::vector<Block> blocks; // the points
   std::pair<std::size_t, std::string> normals_header; // what announces new normals, and where
   std::vector<std::string> losses;                    // what other formats can not take
+  std::string obstacle_to_dropping; // why no points may be dropped; empty if they may
+  bool has_place_for_normals = true;
 };
 
 /// A file that is kept as its bytes, of which only the numbers that change are replaced.
@@ -60,19 +69,73 @@ public:
 private:
   struct Output; // what is written, and how far
 
-  template <typename Function>
-  void for_each_block(const Function& f) const;
-  template <typename Cursor>
-  const std::vector<Field>& next(Cursor& cursor, std::size_t i, std::size_t count) const;
-  template <typename Cursor>
-  void go_through(Cursor& cursor, std::size_t count, bool with_values, const Visitor& visit) const;
+  template <typename Visit>
+  void for_each_fields(const Visit& visit) const;
   template <typename Cursor>
   double length_of_normal(const Cursor& cursor, const std::vector<Field>& fields) const;
   template <typename Cursor>
+  Scan_frame::Triple coordinates(const Cursor& cursor, const std::vector<Field>& fields) const;
+  template <typename Cursor>
   void write_record(const Cursor& cursor, const std::vector<Field>& fields, std::size_t i,
-                    Output& out) const;
+                    const Scan_frame* frame, Output& out) const;
+  void write_count(const Block& block, std::size_t before, Output& out) const;
+  void write_header_of_normals(Output& out) const;
+  void drop_record(std::size_t begin, std::size_t end, Output& out) const;
   const Column_types& column_types() const;
+  void find_sides();
 };
+
+/// Goes through the records: `visit(cursor, fields, i, block, before)`, where there are `before` points
+/// before those of the block.
+template <typename Visit>
+void Raw_file::for_each_fields(const Visit& visit) const
+{
+  std::size_t before = 0;
+  const auto go_through = [&](auto cursor, const Block& block) {
+    for (std::size_t i = 0; i < block.count; ++i) {
+      const std::vector<Field>* fields = cursor.next();
+      if (!fields)
+        throw std::runtime_error("the file ends after " + std::to_string(i) + " of " +
+                                 std::to_string(block.count) + " points");
+      visit(cursor, *fields, before + i, block, before);
+    }
+  };
+  const std::vector<Property>& properties = m_file.layout.properties();
+  for (const Block& block : m_file.blocks) {
+    if (m_file.encoding == Encoding::TEXT)
+      go_through(Text_cursor(block.first, properties, m_file.style), block);
+    else
+      go_through(
+          Binary_cursor(block.first, properties, m_file.encoding == Encoding::SWAPPED_BINARY),
+          block);
+    before += block.count;
+  }
+}
+
+/// The coordinates of a record, as they are in the file
+template <typename Cursor>
+Scan_frame::Triple Raw_file::coordinates(const Cursor& cursor,
+                                         const std::vector<Field>& fields) const
+{
+  Scan_frame::Triple p;
+  for (std::size_t c = 0; c < 3; ++c) {
+    const std::size_t place = m_file.layout.coordinates()[c];
+    p[c] = cursor.value(fields[place], m_file.layout.properties()[place].type);
+  }
+  return p;
+}
+
+/// How long the normal of a record is in the file: integers stand for a unit vector in some scale.
+template <typename Cursor>
+double Raw_file::length_of_normal(const Cursor& cursor, const std::vector<Field>& fields) const
+{
+  double n[3];
+  for (std::size_t c = 0; c < 3; ++c) {
+    const std::size_t p = m_file.layout.normals()[c];
+    n[c] = cursor.value(fields[p], m_file.layout.properties()[p].type);
+  }
+  return std::hypot(n[0], n[1], n[2]);
+}
 
 } // namespace point_files
 

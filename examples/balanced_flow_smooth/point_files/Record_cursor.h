@@ -51,13 +51,7 @@ public:
   void append_between(std::string& out) const { out += m_style.separator; }
 
   /// where a new field can come after this one
-  std::size_t end_of(const Field& field) const
-  {
-    const std::string& bytes = *m_lines.place().bytes;
-    const bool is_quoted =
-        m_style.separator != ' ' && field.end != bytes.size() && bytes[field.end] == '"';
-    return field.end + (is_quoted ? 1 : 0);
-  }
+  std::size_t end_of(const Field& field) const { return m_lines.end_of_cell(field); }
 
 private:
   std::size_t join_lists();

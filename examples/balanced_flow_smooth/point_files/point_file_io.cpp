@@ -3,6 +3,7 @@
 
 #include "Spool_file.h"
 #include "Temporary_file.h"
+#include "invalid_points.h"
 
 #include <algorithm>
 #include <cstddef>
@@ -96,6 +97,7 @@ std::unique_ptr<Point_file> read_stream(std::istream& in, std::size_t size, cons
   std::unique_ptr<Point_file> file = known->read_path(copy.path(), options);
   if (!file->format)
     file->format = known;
+  find_invalid_points(*file, options);
   return file;
 }
 
@@ -118,6 +120,7 @@ std::unique_ptr<Point_file> read_point_bytes(std::string bytes, const Format* fo
   std::unique_ptr<Point_file> file = format->read(std::move(bytes), options);
   if (!file->format)
     file->format = format;
+  find_invalid_points(*file, options);
   return file;
 }
 
@@ -139,7 +142,8 @@ std::unique_ptr<Point_file> read_point_file(const std::filesystem::path& path, c
     }
     std::unique_ptr<Point_file> file = format->read_path(path, options);
     if (!file->format)
-    file->format = format;
+      file->format = format;
+    find_invalid_points(*file, options);
     return file;
   }
   catch (const std::bad_alloc&) {
@@ -178,6 +182,9 @@ void warn_of_losses(Point_file& file, const Format& format)
       file.warnings.push_back("normals can not be added to a file of the format " + format.name);
     return;
   }
+  if (!file.invalid.empty() && !file.drops_invalid)
+    file.warnings.push_back(std::to_string(file.invalid.size()) + " invalid points are in the " +
+                            format.name + ", too: --invalid drop leaves them out");
   for (const std::string& loss : file.losses())
     file.warnings.push_back(loss + " can not be kept in the format " + format.name);
   if (!file.columns().empty() && !format.columns_warning.empty())

@@ -13,6 +13,18 @@ namespace point_files {
 
 // From one format to another: points, normals and whatever else are numbers of points.
 
+/// Goes through the points that are to be written, with the number of each and all of its values.
+template <typename Visit>
+void for_each_record_to_write(const Point_file& file, const Visit& visit)
+{
+  std::size_t i = 0;
+  file.for_each_record(true, [&](const Record& record) {
+    if (!file.is_dropped(i))
+      visit(i, record);
+    ++i;
+  });
+}
+
 /// Writes one line or record for each point: coordinates, normal if there are any, columns.
 /// \param append adds a number of a type to a text
 template <typename Append>
@@ -22,8 +34,7 @@ void write_rows(std::ostream& out, const Point_file& file, const Append& append,
   const std::vector<Property> columns = file.columns();
   const Scalar type = file.coordinate_type();
   std::string row;
-  std::size_t i = 0;
-  file.for_each_record(true, [&](const Record& record) {
+  for_each_record_to_write(file, [&](std::size_t i, const Record& record) {
     row.clear();
     for (int c = 0; c < 3; ++c)
       append(row, type, file.points[i][c]);
@@ -33,7 +44,6 @@ void write_rows(std::ostream& out, const Point_file& file, const Append& append,
       append(row, columns[c].type, record.values[c]);
     row += end_of_row;
     out.write(row.data(), std::streamsize(row.size()));
-    ++i;
   });
 }
 

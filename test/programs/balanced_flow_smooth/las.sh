@@ -64,6 +64,38 @@ check "coordinates are rounded to the nearest" python3 nearest.py out.las coarse
 check "normals have no place" fails_with 0 "warning: normals can not be added to a file of the format las" "$program" $file n.las --normals
 check "but the file is written" cmp n.las out_$file
 
+# ---- invalid points
+
+make_las zeros.las format=7 east=0 north=0
+python3 - <<'END'
+import struct
+b = bytearray(open("zeros.las", "rb").read())
+begin, = struct.unpack_from("<I", b, 96)
+size, = struct.unpack_from("<H", b, 105)
+for i in range(300):
+    b[begin + i * size + 14] = 0x12 if i < 10 else 0x11
+    if i % 100 == 7: # (0, 0, 0), which an offset of 100 makes of it; 7 is a second return
+        struct.pack_into("<3i", b, begin + i * size, 0, 0, -100000)
+struct.pack_into("<15Q", b, 255, 290, 10, *[0] * 13)
+open("zeros.las", "wb").write(b)
+END
+check "invalid points stay" bash -c "'$program' zeros.las kept.las --invalid keep --invalid-zeros -q && python3 '$here/compare_las.py' zeros.las kept.las"
+check "invalid points are dropped" "$program" zeros.las dropped.las --invalid drop --invalid-zeros -q --iterations 0
+cat > dropped.py <<'END'
+import struct
+a, b = (bytearray(open(f + ".las", "rb").read()) for f in ("zeros", "dropped"))
+begin, = struct.unpack_from("<I", a, 96)
+size, = struct.unpack_from("<H", a, 105)
+assert struct.unpack_from("<Q3Q", b, 247) == (297, 288, 9, 0), struct.unpack_from("<Q3Q", b, 247)
+shift = 3 * size
+assert struct.unpack_from("<Q", b, 235)[0] == struct.unpack_from("<Q", a, 235)[0] - shift
+for i in 207, 107, 7: del a[begin + i * size:begin + (i + 1) * size]
+for m in a, b: m[179:227], m[235:243], m[247:375] = bytes(48), bytes(8), bytes(128)
+assert a == b
+END
+check "with the counts in the header" python3 dropped.py
+check "the file is one" bash -c "'$program' dropped.las same.las -q --iterations 0 && cmp dropped.las same.las"
+
 # ---- another program writes to the input
 
 make_las busy.las format=6 points=200000 evlrs=0

@@ -117,6 +117,8 @@ check "the order tells" says labels.xyz "x 1, y 2, z 3, by their order"
 check "the header tells" says normals.csv "x 1, y 2, z 3, nx 7, ny 8, nz 9, by the header in line 1"
 check "a comment tells" says cloudcompare.asc "nx 7, ny 8, nz 9, by the comment in line 1"
 check "the option tells" says no_header.xyz "nx 4, ny 5, nz 6, by --columns" --columns x,y,z,nx,ny,nz
+(echo "# x y z"; cat normals.pwn) > commented.pwn
+check "a comment on the points leaves PWN its normals" says commented.pwn "nx 4, ny 5, nz 6"
 check "unknown normals are counted" says normals.pwn "2 normals are null or not finite"
 check "what looks like normals is told" says no_header.xyz "columns 4 to 6 look like normals"
 check "JSON tells" bash -c "'$program' -n normals.csv --json | python3 -c \"

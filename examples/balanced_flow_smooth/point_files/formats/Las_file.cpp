@@ -73,6 +73,15 @@ Las_file::Change Las_file::find_change() const
   const auto reader = las::make_reader(m_input, m_header);
   for (std::size_t i = 0; i < points.size(); ++i) {
     const char* const record = reader->next();
+    if (is_dropped(i)) {
+      const unsigned bits = m_header.point_format < 6 ? 7 : 15;
+      const unsigned number =
+          las::get<std::uint8_t>(record + 14) & bits; // of the return, from 1 on
+      if (number != 0)
+        ++change.dropped_returns[number - 1];
+      change.any = true;
+      continue;
+    }
     const auto integers = new_integers(record, i);
     for (std::size_t c = 0; c < 3; ++c) {
       change.any = change.any || integers[c] != las::get<std::int32_t>(record + 4 * c);
@@ -86,6 +95,30 @@ Las_file::Change Las_file::find_change() const
   return change;
 }
 
+/// Sets the bounds, and the counts if points are dropped.
+void Las_file::announce(const Change& change, std::string& header) const
+{
+  for (std::size_t c = 0; c < 3; ++c) {
+    las::put(&header[las::at::bounds + 16 * c], change.max[c]);
+    las::put(&header[las::at::bounds + 16 * c + 8], change.min[c]);
+  }
+  if (!drops_invalid)
+    return;
+  const auto subtract = [&](auto number, std::size_t place, std::uint64_t dropped) {
+    typedef decltype(number) Count;
+    const auto before = las::get<Count>(&header[place]); // 0 if the header does not tell it
+    las::put(&header[place], Count(before - (std::min)(std::uint64_t(before), dropped)));
+  };
+  subtract(std::uint32_t(), las::at::legacy_count, invalid.size());
+  for (std::size_t r = 0; r < 5; ++r)
+    subtract(std::uint32_t(), las::at::legacy_counts_by_return + 4 * r, change.dropped_returns[r]);
+  if (m_header.minor_version < 4)
+    return;
+  subtract(std::uint64_t(), las::at::count, invalid.size());
+  for (std::size_t r = 0; r < 15; ++r)
+    subtract(std::uint64_t(), las::at::counts_by_return + 8 * r, change.dropped_returns[r]);
+}
+
 void Las_file::write(const Target& target) const
 {
   m_input.check_unchanged();
@@ -95,14 +128,15 @@ void Las_file::write(const Target& target) const
     m_input.copy(0, m_input.size(), target.out);
   else {
     las::Frame frame(m_input, m_header, is_laz || m_header.is_compressed);
-    for (std::size_t c = 0; c < 3 && change.any; ++c) {
-      las::put(&frame.header[las::at::bounds + 16 * c], change.max[c]);
-      las::put(&frame.header[las::at::bounds + 16 * c + 8], change.min[c]);
-    }
+    frame.count = number_of_points_to_write();
+    if (change.any)
+      announce(change, frame.header);
     las::write_file(target, frame, [&](las::Record_writer& writer) {
       const auto reader = las::make_reader(m_input, m_header);
       for (std::size_t i = 0; i < points.size(); ++i) {
         char* const record = reader->next();
+        if (is_dropped(i))
+          continue;
         const auto integers = new_integers(record, i);
         for (std::size_t c = 0; c < 3; ++c)
           las::put(record + 4 * c, integers[c]);

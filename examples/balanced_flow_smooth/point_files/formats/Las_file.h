@@ -33,11 +33,13 @@ private:
   /// What is different in the records from what they were
   struct Change {
     bool any = false;
-    std::array<double, 3> min, max; // of all points
+    std::array<double, 3> min, max; // of all points that are written
+    std::array<std::uint64_t, 15> dropped_returns;
   };
 
   std::array<std::int32_t, 3> new_integers(const char* record, std::size_t i) const;
   Change find_change() const;
+  void announce(const Change& change, std::string& header) const;
 };
 
 } // namespace point_files

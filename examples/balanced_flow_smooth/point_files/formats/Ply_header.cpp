@@ -36,6 +36,7 @@ Ply_header::Ply_header(const std::string& bytes) : end(size_of_mark(bytes))
     if (line_end == std::string::npos)
       throw std::runtime_error("this is not a complete PLY file");
     std::string line = bytes.substr(end, line_end - end), keyword;
+    const std::size_t line_begin = end;
     end = line_end + 1;
     ++number_of_lines;
     if (!line.empty() && line.back() == '\r') {
@@ -53,7 +54,7 @@ Ply_header::Ply_header(const std::string& bytes) : end(size_of_mark(bytes))
       has_format = true;
     }
     else if (keyword == "element")
-      read_element(line, words, bytes.size());
+      read_element(line, line_begin, bytes.size());
     else if (keyword == "property")
       read_property(line, words);
     else if (keyword != "ply" && keyword != "comment" && keyword != "obj_info" && !keyword.empty())
@@ -77,11 +78,13 @@ void Ply_header::read_format(const std::string& line, std::istream& words)
     throw std::runtime_error("the format in \"" + line + "\" is not known");
 }
 
-void Ply_header::read_element(const std::string& line, std::istream& words, std::size_t file_size)
+void Ply_header::read_element(const std::string& line, std::size_t line_begin,
+                              std::size_t file_size)
 {
   Ply_element element;
-  std::string count;
-  words >> element.name >> count;
+  std::istringstream words(line);
+  std::string keyword, count;
+  words >> keyword >> element.name >> count;
   const char *begin = count.data(), *count_end = begin + count.size();
   const auto parsed = std::from_chars(begin, count_end, element.count);
   if (count.empty() || count.find_first_not_of("0123456789") != std::string::npos)
@@ -89,6 +92,9 @@ void Ply_header::read_element(const std::string& line, std::istream& words, std:
   if (parsed.ec != std::errc() || element.count > file_size)
     throw std::runtime_error("the file is too short for " + count +
                              (element.has_points() ? " points" : " times " + element.name));
+  std::size_t at = line.find(keyword) + keyword.size();
+  at = line.find(count, line.find(element.name, at) + element.name.size()) + line_begin;
+  element.count_field = {at, at + count.size()};
   elements.push_back(element);
 }
 

@@ -14,7 +14,8 @@ namespace point_files {
 /// Records of one kind, as the header announces them
 struct Ply_element {
   std::string name;
-  std::size_t count;
+  std::size_t count = 0;
+  Field count_field = {0, 0}; // where it is in the header
   std::vector<Property> properties;
   std::vector<std::size_t> property_ends; // where their lines end in the header
 
@@ -36,7 +37,7 @@ struct Ply_header {
 
 private:
   void read_format(const std::string& line, std::istream& words);
-  void read_element(const std::string& line, std::istream& words, std::size_t file_size);
+  void read_element(const std::string& line, std::size_t line_begin, std::size_t file_size);
   void read_property(const std::string& line, std::istream& words);
 };
 

@@ -29,14 +29,25 @@ bool is_number(const std::string& word)
   return from_text(word.data(), word.data() + word.size()).has_value();
 }
 
-/// Whether each of the coordinates is in it once
+/// Whether each of three roles is in it so many times
+bool has_each(const std::vector<std::string>& names, const std::vector<std::string>& roles,
+              std::ptrdiff_t times)
+{
+  return std::all_of(roles.begin(), roles.end(), [&](const std::string& role) {
+    const auto is_it = [&](const std::string& name) { return role_of(name) == role; };
+    return std::count_if(names.begin(), names.end(), is_it) == times;
+  });
+}
+
 bool has_coordinates(const std::vector<std::string>& names)
 {
-  const auto count = [&](const char* role) {
-    return std::count_if(names.begin(), names.end(),
-                         [role](const std::string& name) { return role_of(name) == role; });
-  };
-  return count("x") == 1 && count("y") == 1 && count("z") == 1;
+  return has_each(names, {"x", "y", "z"}, 1);
+}
+
+/// Whether there are normals or nothing of them
+bool has_whole_normals(const std::vector<std::string>& names)
+{
+  return has_each(names, {"nx", "ny", "nz"}, 0) || has_each(names, {"nx", "ny", "nz"}, 1);
 }
 
 /// The words between separators of any kind, without quotes
@@ -167,7 +178,7 @@ void take_comment(const std::string& bytes, const First_lines& lines, std::size_
     const std::vector<std::string>& names = with_names.names;
     const bool is_beginning = names.size() < width && role_of(names[0]) == "x" &&
                               role_of(names[1]) == "y" && role_of(names[2]) == "z";
-    if (names.size() != width && !is_beginning) // some other text
+    if ((names.size() != width && !is_beginning) || !has_whole_normals(names)) // some other text
       continue;
     head = with_names;
     head.source = "the comment in line " + std::to_string(comment->number);

@@ -28,6 +28,7 @@ void Normals_guess::add(const Line_reader& lines, const std::vector<Field>& word
 }
 
 Text_parser::Text_parser(std::string bytes, const Names& columns)
+    : m_is_told_by_user(!columns.empty())
 {
   m_file.bytes = std::move(bytes);
   m_head = read_text_head(m_file.bytes, columns);
@@ -65,7 +66,7 @@ void Text_parser::begin_block(const Line_reader& lines, const Field& word)
   m_announcement = lines.place().line;
   if (m_file.blocks.back().count != 0)
     m_file.blocks.emplace_back();
-  m_file.blocks.back().first = lines.place();
+  m_file.blocks.back() = {lines.place(), 0, word};
 }
 
 void Text_parser::end_block() const
@@ -81,15 +82,7 @@ void Text_parser::end_block() const
 
 void Text_parser::add_point(const Line_reader& lines, const std::vector<Field>& words)
 {
-  if (words.size() < 3) {
-    for (const Field& word : words)
-      lines.number(word); // may tell more
-    lines.fail("a point has three coordinates");
-  }
-  if (m_width != 0 && words.size() != m_width)
-    lines.fail(std::to_string(words.size()) + " columns, but " + std::to_string(m_width) +
-               " before");
-  m_width = words.size();
+  lines.check_columns(words, m_width);
   m_normals.add(lines, words);
   ++m_file.blocks.back().count;
   ++m_count;
@@ -98,7 +91,11 @@ void Text_parser::add_point(const Line_reader& lines, const std::vector<Field>& 
 /// The names of all columns, each used once
 Text_parser::Names Text_parser::names_of_columns(Default_names default_names_of) const
 {
-  Names names = m_head.names.empty() ? default_names_of(m_width) : m_head.names;
+  Names names = m_head.names;
+  if (names.size() < m_width && !m_is_told_by_user) {
+    const Names defaults = default_names_of(m_width);
+    names.insert(names.end(), defaults.begin() + std::ptrdiff_t(names.size()), defaults.end());
+  }
   if (names.size() > m_width)
     throw std::runtime_error(std::to_string(names.size()) + " names of columns, but there are " +
                              std::to_string(m_width) + " columns");
@@ -116,21 +113,29 @@ Text_parser::Names Text_parser::names_of_columns(Default_names default_names_of)
   return names;
 }
 
-void Text_parser::set_layout(Default_names names)
+void Text_parser::set_layout(Default_names default_names_of)
 {
   if (m_count == 0)
     throw std::runtime_error("there are no points in it");
-  m_file.layout = Layout(names_of_columns(names));
+  m_file.layout = Layout(names_of_columns(default_names_of));
   m_file.layout_source = m_head.source;
   const std::size_t last = m_file.layout.last_coordinate();
   if (last >= m_head.name_fields.size())
     return;
-  std::size_t end = m_head.name_fields[last].end;
-  if (end < m_file.bytes.size() && m_file.bytes[end] == '"')
-    ++end;
-  m_file.normals_header.first = end;
+  const Line_reader names(Place{&m_file.bytes}, m_head.name_separator);
+  m_file.normals_header.first = names.end_of_cell(m_head.name_fields[last]);
   for (const char* name : {"nx", "ny", "nz"})
     m_file.normals_header.second += m_head.name_separator + std::string(name);
+}
+
+std::vector<std::string> names_of_scan_columns(std::size_t width)
+{
+  std::vector<std::string> names = {"x", "y", "z"};
+  if (width == 4 || width == 7)
+    names.push_back("intensity");
+  if (width == 6 || width == 7)
+    names.insert(names.end(), {"red", "green", "blue"});
+  return names.size() == width ? names : default_names(width, false);
 }
 
 } // namespace point_files

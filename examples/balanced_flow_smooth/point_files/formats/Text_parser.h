@@ -25,6 +25,7 @@ public:
 class Text_parser {
   Anatomy m_file;
   Text_head m_head;
+  bool m_is_told_by_user; // what columns are
   std::size_t m_width = 0, m_count = 0;
   std::optional<double> m_announced; // by a line before the block
   std::size_t m_announcement = 0;    // the number of that line
@@ -51,8 +52,11 @@ private:
   void end_block() const;
   void add_point(const Line_reader& lines, const std::vector<Field>& words);
   Names names_of_columns(Default_names names) const;
-  void set_layout(Default_names names);
+  void set_layout(Default_names default_names_of);
 };
+
+/// The names of the columns of Leica's formats: an intensity, a color, or both; else `default_names()`
+std::vector<std::string> names_of_scan_columns(std::size_t width);
 
 } // namespace point_files
 

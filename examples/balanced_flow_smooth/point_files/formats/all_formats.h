@@ -14,6 +14,7 @@ Format xyz_format();
 Format csv_format(); // this and the next two with xyz_format()
 Format pts_format();
 Format pwn_format();
+Format ptx_format();
 Format off_format();
 Format las_format();
 Format laz_format(); // with las_format()

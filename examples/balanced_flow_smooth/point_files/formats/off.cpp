@@ -49,6 +49,7 @@ Anatomy parse(std::string bytes)
     lines.split(line, words);
   }
   std::size_t counts[2] = {0, 0};
+  const Field count_field = words[0];
   for (std::size_t i = 0; i < 2 && i < words.size(); ++i) {
     const double count = lines.number(words[i]);
     if (!(count >= 0. && count <= double(file.bytes.size()) && std::floor(count) == count))
@@ -56,7 +57,7 @@ Anatomy parse(std::string bytes)
                  (i == 0 ? " points" : " faces"));
     counts[i] = std::size_t(count);
   }
-  file.blocks = {{lines.place(), counts[0]}};
+  file.blocks = {{lines.place(), counts[0], count_field}};
 
   std::size_t width = 0;
   for (std::size_t i = 0; i < counts[0]; ++i) {
@@ -64,12 +65,7 @@ Anatomy parse(std::string bytes)
       throw std::runtime_error("the file ends after " + std::to_string(i) + " of " +
                                std::to_string(counts[0]) + " points");
     lines.split(line, words);
-    if (words.size() < 3)
-      lines.fail("a point has three coordinates");
-    if (width != 0 && words.size() != width)
-      lines.fail(std::to_string(words.size()) + " columns, but " + std::to_string(width) +
-                 " before");
-    width = words.size();
+    lines.check_columns(words, width);
   }
   const bool with_normals = keyword.find('N') != std::string::npos;
   if (with_normals && width != 0 && width < 6)
@@ -81,8 +77,10 @@ Anatomy parse(std::string bytes)
     if (!lines.next(line))
       throw std::runtime_error("the file ends after " + std::to_string(i) + " of " +
                                std::to_string(counts[1]) + " faces");
-  if (counts[1] != 0)
+  if (counts[1] != 0) {
     file.losses.push_back("the faces");
+    file.obstacle_to_dropping = "the faces tell points by their number";
+  }
   return file;
 }
 
@@ -106,7 +104,8 @@ Format off_format()
     return std::make_unique<Raw_file>(parse(std::move(bytes)));
   };
   format.write = [](const Target& target, const Point_file& file) {
-    target.out << (file.normals.empty() ? "OFF\n" : "NOFF\n") << file.points.size() << " 0 0\n";
+    target.out << (file.normals.empty() ? "OFF\n" : "NOFF\n") << file.number_of_points_to_write()
+               << " 0 0\n";
     write_text_rows(target.out, file);
   };
   return format;

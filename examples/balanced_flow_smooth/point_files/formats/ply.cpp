@@ -67,7 +67,7 @@ void take_points(const Ply_element& element, const std::string& end_of_line, con
   const std::vector<Property>& properties = element.properties;
   file.layout = Layout(properties);
   file.layout_source = "the names of the properties";
-  file.blocks = {{place, element.count}};
+  file.blocks = {{place, element.count, element.count_field}};
   for (const Property& property : properties)
     if (property.count_type)
       file.losses.push_back("the lists " + property.name);
@@ -96,6 +96,8 @@ Anatomy parse(std::string bytes)
       take_points(element, header.end_of_line, place, file);
     else
       file.losses.push_back("the PLY element " + element.name);
+    if (!is_point && element.count != 0)
+      file.obstacle_to_dropping = "the element " + element.name + " may tell them by their number";
     skip_element(element, file.encoding, has_points, place);
     has_points = has_points || is_point;
   }
@@ -108,7 +110,8 @@ void write_ply(const Target& target, const Point_file& file)
 {
   std::ostream& out = target.out;
   const std::string type = name_of(file.coordinate_type());
-  out << "ply\nformat binary_little_endian 1.0\nelement vertex " << file.points.size() << '\n';
+  out << "ply\nformat binary_little_endian 1.0\nelement vertex " << file.number_of_points_to_write()
+      << '\n';
   for (const char* name : {"x", "y", "z"})
     out << "property " << type << ' ' << name << '\n';
   for (const char* name : {"nx", "ny", "nz"})

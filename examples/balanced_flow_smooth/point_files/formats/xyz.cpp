@@ -42,17 +42,6 @@ Names normals_after_points(std::size_t width)
   return default_names(width, true);
 }
 
-/// Leica's PTS has an intensity, a color, or both.
-Names names_of_pts(std::size_t width)
-{
-  Names names = {"x", "y", "z"};
-  if (width == 4 || width == 7)
-    names.push_back("intensity");
-  if (width == 6 || width == 7)
-    names.insert(names.end(), {"red", "green", "blue"});
-  return names.size() == width ? names : default_names(width, false);
-}
-
 template <Names (*names)(std::size_t)>
 Format text_format(const char* name)
 {
@@ -91,12 +80,12 @@ Format csv_format()
 
 Format pts_format()
 {
-  Format format = text_format<names_of_pts>("pts");
+  Format format = text_format<names_of_scan_columns>("pts");
   format.columns_warning = "PTS has no names for properties, they become columns";
   format.write = [](const Target& target, const Point_file& file) {
     if (!file.normals.empty()) // they would pass for colors
       target.out << "# " << names_of_rows(file) << '\n';
-    target.out << file.points.size() << '\n';
+    target.out << file.number_of_points_to_write() << '\n';
     write_text_rows(target.out, file);
   };
   return format;

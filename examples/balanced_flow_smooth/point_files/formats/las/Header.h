@@ -16,7 +16,8 @@ namespace point_files::las {
 namespace at {
 constexpr std::size_t global_encoding = 6, version = 24, header_size = 94, points = 96,
                       vlr_count = 100, point_format = 104, record_size = 105, legacy_count = 107,
-                      scale = 131, offset = 155, bounds = 179, // max x, min x, max y, ...
+                      legacy_counts_by_return = 111, scale = 131, offset = 155,
+                      bounds = 179, // max x, min x, max y, ...
     waveforms = 227, evlrs = 235, evlr_count = 243, count = 247, counts_by_return = 255;
 } // namespace at
 

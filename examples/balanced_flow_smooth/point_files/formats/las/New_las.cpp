@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "New_las.h"
 
+#include "../../write_rows.h"
 #include "Bytes.h"
 #include "Output.h"
 #include "fail.h"
@@ -48,10 +49,14 @@ New_las::New_las(const Point_file& file) : m_file(file)
 void New_las::choose_grid()
 {
   for (int c = 0; c < 3; ++c) {
-    const auto [low, high] =
-        std::minmax_element(m_file.points.begin(), m_file.points.end(),
-                            [c](const Point_3& p, const Point_3& q) { return p[c] < q[c]; });
-    const double min = (*low)[c], max = (*high)[c];
+    double min = (std::numeric_limits<double>::infinity)(), max = -min;
+    for (std::size_t i = 0; i < m_file.points.size(); ++i) {
+      const double value = m_file.points[i][c];
+      if (std::isfinite(value) && !m_file.is_dropped(i)) { // others are refused
+        min = (std::min)(min, value);
+        max = (std::max)(max, value);
+      }
+    }
     const double extent = max - min, size = (std::max)(std::abs(min), std::abs(max));
     if (!std::isfinite(extent) || size > 1e300)
       fail("the points are too far from each other for LAS, from ", min, " to ", max, " in ",
@@ -84,7 +89,7 @@ void New_las::choose_fields()
       if (is_same_name(columns[c].name, fields[f].name) &&
           std::find(chosen.begin(), chosen.end(), f) == chosen.end())
         chosen[c] = f;
-  m_file.for_each_record(true, [&](const Record& record) {
+  for_each_record_to_write(m_file, [&](std::size_t, const Record& record) {
     for (std::size_t c = 0; c < columns.size(); ++c)
       if (chosen[c] < fields.size() && !fields[chosen[c]].holds(record.values[c]))
         chosen[c] = fields.size();
@@ -121,9 +126,8 @@ void New_las::find_bounds()
   min.fill((std::numeric_limits<std::int32_t>::max)());
   max.fill((std::numeric_limits<std::int32_t>::min)());
   std::string bytes;
-  std::size_t i = 0;
-  m_file.for_each_record(true, [&](const Record& record) {
-    fill(bytes, record, i++);
+  for_each_record_to_write(m_file, [&](std::size_t i, const Record& record) {
+    fill(bytes, record, i);
     for (std::size_t c = 0; c < 3; ++c) {
       min[c] = (std::min)(min[c], get<std::int32_t>(&bytes[4 * c]));
       max[c] = (std::max)(max[c], get<std::int32_t>(&bytes[4 * c]));
@@ -155,7 +159,7 @@ std::string New_las::header() const
     put(&bytes[at::bounds + 16 * c], m_max[c]);
     put(&bytes[at::bounds + 16 * c + 8], m_min[c]);
   }
-  put(&bytes[at::count], std::uint64_t(m_file.points.size()));
+  put(&bytes[at::count], std::uint64_t(m_file.number_of_points_to_write()));
   for (std::size_t r = 0; r < m_returns.size(); ++r)
     put(&bytes[at::counts_by_return + 8 * r], m_returns[r]);
   return bytes;
@@ -194,16 +198,15 @@ void New_las::write(const Target& target) const
   frame.header = header();
   frame.point_format = m_point_format;
   frame.record_size = m_record_size;
-  frame.count = m_file.points.size();
+  frame.count = m_file.number_of_points_to_write();
   if (!m_extra.empty()) {
     frame.new_vlrs = extra_bytes_record();
     frame.vlr_count = 1;
   }
   write_file(target, frame, [&](Record_writer& writer) {
     std::string bytes;
-    std::size_t i = 0;
-    m_file.for_each_record(true, [&](const Record& record) {
-      fill(bytes, record, i++);
+    for_each_record_to_write(m_file, [&](std::size_t i, const Record& record) {
+      fill(bytes, record, i);
       writer.write(bytes.data());
     });
   });
