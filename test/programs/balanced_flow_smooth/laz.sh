@@ -153,7 +153,15 @@ refused "counts that differ" "the header announces 60000 points, but the chunk t
 patch 1.2_3.laz bad.laz 107 I 3000
 refused "more points than there are" "the compressed points are not complete: number " bad.laz
 patch 1.2_3.laz bad.laz 105 H 50
-refused "records of another size" "the compressed points can not be read" bad.laz
+refused "records of another size" "the record \"laszip encoded\" does not fit records of point format 3 with 50 bytes" bad.laz
+python3 - <<'END'
+import struct
+b = bytearray(open("1.4_8.laz", "rb").read())
+at = b.index(b"laszip encoded") + 52 + 34 # its fields: two kinds of extra bytes
+for i in range(struct.unpack_from("<H", b, at - 2)[0]): struct.pack_into("<H", b, at + 6 * i, 14 if i else 10)
+open("bad.laz", "wb").write(b)
+END
+refused "a field that comes twice" "the record \"laszip encoded\" does not fit records of point format 8 with 45 bytes" bad.laz
 python3 - <<'END'
 b = bytearray(open("1.2_3.laz", "rb").read())
 b[b.index(b"laszip encoded")] = 120

@@ -100,6 +100,18 @@ private:
   }
 };
 
+/// LASzip believes the list of fields that the file gives it, even if it has one of them twice.
+void check_fields(const std::string& codec, const Header& header)
+{
+  const std::string expected = laszip_vlr(header.point_format, header.record_size).substr(54);
+  bool is_same = codec.size() == expected.size() && codec.compare(32, 2, expected, 32, 2) == 0;
+  for (std::size_t i = 34; is_same && i < codec.size(); i += 6) // type, size, version of the codec
+    is_same = codec.compare(i, 4, expected, i, 4) == 0;
+  if (!is_same)
+    fail("the record \"", laszip_user_id, "\" does not fit records of point format ",
+         header.point_format, " with ", header.record_size, " bytes");
+}
+
 /// LASzip does not look whether what it reads is the table of chunks, without which it reads garbage
 /// from files whose chunks differ in size, and it stops in silence after too few points.
 void check_chunks(const Input& input, const Header& header)
@@ -107,7 +119,8 @@ void check_chunks(const Input& input, const Header& header)
   const Variable_record* const vlr = header.find(laszip_user_id, laszip_record_id);
   if (!vlr || vlr->end - vlr->data < 34)
     fail("the points are compressed, but there is no complete record \"", laszip_user_id, "\"");
-  const std::string codec = input.read(vlr->data, 34);
+  const std::string codec = input.read(vlr->data, std::size_t(vlr->end - vlr->data));
+  check_fields(codec, header);
   const bool has_chunks = get<std::uint16_t>(&codec[0]) != 1;
   if (!has_chunks || header.count == 0)
     return;
