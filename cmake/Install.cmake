@@ -1,16 +1,16 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-# After the folder of the program, which says whether it has PDAL
+# After the folder of the program, which says whether it has LASzip
 include(CMakePackageConfigHelpers)
 set(POINT_SET_FLOW_CONFIG_DIR ${CMAKE_INSTALL_DATADIR}/cmake/PointSetFlow CACHE STRING
     "Where PointSetFlowConfig.cmake is installed, below the prefix")
 mark_as_advanced(POINT_SET_FLOW_CONFIG_DIR)
 set(point_set_flow_pc_dir ${CMAKE_INSTALL_DATADIR}/pkgconfig)
 
-set(point_set_flow_program_has_pdal FALSE)
+set(point_set_flow_program_has_laz FALSE)
 if(TARGET balanced-flow-smooth)
-  get_target_property(definitions balanced-flow-smooth COMPILE_DEFINITIONS)
-  if(POINT_SET_FLOW_WITH_PDAL IN_LIST definitions)
-    set(point_set_flow_program_has_pdal TRUE)
+  get_target_property(definitions point_set_flow_point_files COMPILE_DEFINITIONS)
+  if("POINT_SET_FLOW_WITH_LASZIP" IN_LIST definitions)
+    set(point_set_flow_program_has_laz TRUE)
   endif()
 endif()
 

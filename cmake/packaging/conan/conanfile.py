@@ -60,7 +60,7 @@ class PointSetFlowConan(ConanFile):
         toolchain.cache_variables["POINT_SET_FLOW_BUILD_TESTS"] = False
         toolchain.cache_variables["POINT_SET_FLOW_BUILD_EXAMPLES"] = False
         toolchain.cache_variables["POINT_SET_FLOW_BUILD_PROGRAM"] = bool(self.options.with_program)
-        toolchain.cache_variables["CMAKE_DISABLE_FIND_PACKAGE_PDAL"] = True  # not in ConanCenter
+        toolchain.cache_variables["POINT_SET_FLOW_WITH_LASZIP"] = False  # not in ConanCenter
         toolchain.cache_variables["POINT_SET_FLOW_WITH_TBB"] = bool(self.options.with_tbb)
         toolchain.cache_variables["POINT_SET_FLOW_CONFIG_DIR"] = CONFIG_DIR
         toolchain.generate()

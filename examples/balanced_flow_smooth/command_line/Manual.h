@@ -59,9 +59,15 @@ inline const std::vector<std::pair<std::string, std::string>> formats = {
      "and stays. All scans are smoothed as one, and the places of the scanners tell the sides "
      "of surfaces."},
     {"off", "text, also COFF, NOFF, STOFF and so on, with the faces."},
-    {"las, laz",
-     "if the program was built with PDAL: offsets, scales, classification, time and all "
-     "other dimensions are kept."},
+    {"las",
+     "versions 1.0 to 1.4 with point formats 0 to 10: only the coordinates and the bounds in the "
+     "header change, and these only if a point moves. Coordinates are rounded to the nearest "
+     "that the scale of the file can hold; if one leaves its range, the file is not written. "
+     "The points stay on the disk while they are smoothed; standard input is copied to a "
+     "temporary file (TMPDIR). Normals can not be added."},
+    {"laz",
+     "the same, compressed, if the program was built with LASzip. COPC is read as LAZ; if a point "
+     "moves, it is written as LAZ without the records of COPC."},
 };
 
 inline const std::vector<std::string> on_formats = {

@@ -133,8 +133,7 @@ void print_manual_page(std::ostream& out, const Command_line& command_line, cons
   out << ".SH SEE ALSO\n"
       << "C. Xiao, Y. Miao, S. Liu and Q. Peng,\n"
       << ".I A dynamic balanced flow for filtering point\\-sampled geometry,\n"
-      << "The Visual Computer 22, 2006.\n"
-      << ".PP\n.BR pdal (1)\n";
+      << "The Visual Computer 22, 2006.\n";
 }
 
 } // namespace balanced_flow_smooth

@@ -35,14 +35,22 @@ const Format& format_of(const std::filesystem::path& path)
   throw std::runtime_error("the format \"" + extension + "\" is not known (" + known + ")");
 }
 
-const Format& format_of_bytes(const std::string& bytes)
+const Format* format_with_magic(const std::string& bytes)
 {
   for (const Format& format : all_formats())
     if (!format.magic.empty() &&
-        bytes.compare(size_of_mark(bytes), format.magic.size(), format.magic) == 0)
-      return format;
+        bytes.compare(size_of_mark(bytes), format.magic.size(), format.magic) == 0 &&
+        (!format.recognizes || format.recognizes(bytes)))
+      return &format;
+  return nullptr;
+}
+
+const Format& format_of_bytes(const std::string& bytes)
+{
+  if (const Format* format = format_with_magic(bytes))
+    return *format;
   for (const Format& format : all_formats())
-    if (format.recognizes && format.recognizes(bytes))
+    if (format.magic.empty() && format.recognizes && format.recognizes(bytes))
       return format;
   const auto is_control = [](unsigned char c) { return c < ' ' && !std::isspace(c); };
   if (std::any_of(bytes.begin(),
@@ -56,11 +64,9 @@ void check_support(const Format& format)
 {
   if (format.read)
     return;
-  std::string family = format.family;
-  std::transform(family.begin(), family.end(), family.begin(),
-                 [](unsigned char c) { return char(std::toupper(c)); });
-  throw std::runtime_error("this program was built without " + family + " support (" +
-                           format.library + ")");
+  throw std::runtime_error("the format " + format.name + " needs " + format.library +
+                           ", which this program was built without: install it (" + format.package +
+                           "), and build the program again");
 }
 
 } // namespace point_files

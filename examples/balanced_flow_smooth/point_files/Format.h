@@ -32,11 +32,14 @@ struct Format {
   std::string family;          // within it, a file changes its format and nothing else is lost
   std::string magic;           // the first bytes of all files; empty if they differ
   std::string library;         // the optional one that it needs; empty if there is none
+  std::string package;         // where that is found
   std::string columns_warning; // for files of other formats that have columns
   bool has_normals = true;     // whether there is a place for them
+  bool keeps_normals = true;   // whether its own files can get normals
   bool has_columns = false;    // whether its files may be told the names of their columns
 
-  /// Whether bytes without the magic of any format look like a file of this one; may be null.
+  /// Whether bytes look like a file of this format: those with its magic if it has one, those without
+  /// the magic of any format if not; may be null.
   bool (*recognizes)(const std::string& bytes) = nullptr;
 
   /// Makes a file of its bytes; null if the program was built without the library.
@@ -60,6 +63,9 @@ const Format* find_format(std::string name);
 
 /// The format that the extension of a name tells; throws `std::runtime_error` if it tells none.
 const Format& format_of(const std::filesystem::path& path);
+
+/// The format that the magic tells with which the bytes begin; null if there is none.
+const Format* format_with_magic(const std::string& bytes);
 
 /// Guesses the format from how a file begins: text is XYZ if no other format recognizes it. Throws
 /// `std::runtime_error` if the bytes are no text, either.

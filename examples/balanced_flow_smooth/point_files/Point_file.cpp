@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Point_file.h"
 
+#include <new>
 #include <stdexcept>
 
 namespace point_files {
 
 void Point_file::load(std::size_t count, bool with_normals)
 {
+  if (count > points.max_size())
+    throw std::bad_alloc();
   points.reserve(count);
   normals.reserve(with_normals ? count : 0);
   for_each_record(false, [&](const Record& r) {

@@ -38,7 +38,7 @@ struct Target {
 /// A file of points: what it holds stays as it is, and beside it are its points, to be moved.
 class Point_file {
 public:
-  const Format* format = nullptr; // which this file is one of, set by `read_point_file()`
+  const Format* format = nullptr; // of the file; set by `read_point_file()` if its reader does not
   std::vector<Point_3> points;
   std::vector<Vector_3> normals; // empty if there are none
   /// vectors from the points to the scanner, null where it is not known; empty if it is for none

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "point_file_io.h"
 
+#include "Spool_file.h"
 #include "Temporary_file.h"
 #include "invalid_points.h"
 
@@ -19,23 +20,25 @@ namespace {
 
 bool is_standard_stream(const std::filesystem::path& path) { return path == "-"; }
 
-/// Reads all bytes; a file that is known to be large is not read twice as large.
-std::string read_bytes(const std::filesystem::path& path)
+/// Opens a file to read all of it.
+/// \return how long it is, as far as this is known
+std::size_t open(std::ifstream& file, const std::filesystem::path& path)
 {
-  std::ifstream file;
-  std::size_t size = 0;
-  if (!is_standard_stream(path)) {
-    if (std::filesystem::is_directory(path))
-      throw std::runtime_error("this is a directory");
-    file.open(path, std::ios::binary);
-    if (!file)
-      throw std::runtime_error("the file can not be opened");
-    std::error_code ignored; // pipes have no size
-    if (std::filesystem::is_regular_file(path))
-      size = std::size_t(std::filesystem::file_size(path, ignored));
-  }
-  std::istream& in = is_standard_stream(path) ? std::cin : file;
-  std::string bytes;
+  if (std::filesystem::is_directory(path))
+    throw std::runtime_error("this is a directory");
+  file.open(path, std::ios::binary);
+  if (!file)
+    throw std::runtime_error("the file can not be opened");
+  std::error_code ignored; // pipes have no size
+  return std::filesystem::is_regular_file(path)
+             ? std::size_t(std::filesystem::file_size(path, ignored))
+             : 0;
+}
+
+/// Reads all bytes; a file that is known to be large is not read twice as large.
+/// \param bytes the first ones, which are read already
+std::string read_bytes(std::istream& in, std::size_t size, std::string bytes)
+{
   bytes.reserve(size + 1);
   for (std::size_t chunk = (std::max)(size + 1, std::size_t(1) << 20); in; chunk = bytes.size()) {
     const std::size_t before = bytes.size();
@@ -73,6 +76,31 @@ void check_use(const Format& format, const Read_options& options)
     throw std::runtime_error("--columns is for text, but the format is " + format.name);
 }
 
+/// Reads from a stream. Who need not have all of the bytes in memory reads a copy on the disk.
+std::unique_ptr<Point_file> read_stream(std::istream& in, std::size_t size, const Format* format,
+                                        const Read_options& options)
+{
+  std::string start(1024, '\0');
+  in.read(start.data(), std::streamsize(start.size()));
+  start.resize(std::size_t(in.gcount()));
+  const Format* const known = format ? format : format_with_magic(start);
+  if (!known || !known->read_path)
+    return read_point_bytes(read_bytes(in, size, std::move(start)), format, options);
+  check_use(*known, options);
+  const Spool_file copy;
+  std::ofstream out(copy.path(), std::ios::binary);
+  out << start;
+  if (in.peek() != std::istream::traits_type::eof())
+    out << in.rdbuf();
+  if (!out.flush())
+    throw std::runtime_error("writing to " + copy.path().string() + " failed");
+  std::unique_ptr<Point_file> file = known->read_path(copy.path(), options);
+  if (!file->format)
+    file->format = known;
+  find_invalid_points(*file, options);
+  return file;
+}
+
 [[noreturn]] void fail_to_write(const std::filesystem::path& path, const std::string& why)
 {
   throw std::runtime_error("cannot write " +
@@ -90,7 +118,8 @@ std::unique_ptr<Point_file> read_point_bytes(std::string bytes, const Format* fo
     format = &format_of_bytes(bytes);
   check_use(*format, options);
   std::unique_ptr<Point_file> file = format->read(std::move(bytes), options);
-  file->format = format;
+  if (!file->format)
+    file->format = format;
   find_invalid_points(*file, options);
   return file;
 }
@@ -104,10 +133,16 @@ std::unique_ptr<Point_file> read_point_file(const std::filesystem::path& path, c
       format = &format_of(path);
     if (format)
       check_use(*format, options);
-    if (from_stream || !format->read_path)
-      return read_point_bytes(read_bytes(path), format, options);
+    if (from_stream)
+      return read_stream(std::cin, 0, format, options);
+    if (!format->read_path || !std::filesystem::is_regular_file(path)) {
+      std::ifstream stream;
+      const std::size_t size = open(stream, path);
+      return read_stream(stream, size, format, options);
+    }
     std::unique_ptr<Point_file> file = format->read_path(path, options);
-    file->format = format;
+    if (!file->format)
+      file->format = format;
     find_invalid_points(*file, options);
     return file;
   }
@@ -142,8 +177,11 @@ void check_output(const std::filesystem::path& path, const Format* format)
 
 void warn_of_losses(Point_file& file, const Format& format)
 {
-  if (are_of_one_family(*file.format, format))
+  if (are_of_one_family(*file.format, format)) {
+    if (!format.keeps_normals && !file.normals.empty())
+      file.warnings.push_back("normals can not be added to a file of the format " + format.name);
     return;
+  }
   if (!file.invalid.empty() && !file.drops_invalid)
     file.warnings.push_back(std::to_string(file.invalid.size()) + " invalid points are in the " +
                             format.name + ", too: --invalid drop leaves them out");

@@ -6,16 +6,14 @@ if(NOT EXISTS "${SOURCE_PATH}/cmake/packaging/vcpkg/point-set-flow/portfile.cmak
 endif()
 
 vcpkg_check_features(OUT_FEATURE_OPTIONS feature_options FEATURES
+    laz POINT_SET_FLOW_WITH_LASZIP
     program POINT_SET_FLOW_BUILD_PROGRAM
-    tbb POINT_SET_FLOW_WITH_TBB
-  INVERTED_FEATURES
-    las CMAKE_DISABLE_FIND_PACKAGE_PDAL)
+    tbb POINT_SET_FLOW_WITH_TBB)
 
 set(VCPKG_BUILD_TYPE release) # headers, and a program
 vcpkg_cmake_configure(SOURCE_PATH "${SOURCE_PATH}"
   OPTIONS ${feature_options} -DPOINT_SET_FLOW_BUILD_TESTS=OFF -DPOINT_SET_FLOW_BUILD_EXAMPLES=OFF
-          -DPOINT_SET_FLOW_CONFIG_DIR=share/PointSetFlow
-  MAYBE_UNUSED_VARIABLES CMAKE_DISABLE_FIND_PACKAGE_PDAL)
+          -DPOINT_SET_FLOW_CONFIG_DIR=share/PointSetFlow)
 vcpkg_cmake_install()
 vcpkg_cmake_config_fixup(PACKAGE_NAME PointSetFlow)
 vcpkg_fixup_pkgconfig()
