@@ -64,15 +64,16 @@ public:
   /// whether the normals of the points are known: from the second step on if the estimator declares
   /// `Uses_surface_estimate`, and then always in `directional_curvature()`
   bool has_normals() const { return m_surface.normals != nullptr; }
-  /// the unit normal of the point in the middle. Its orientation is that of the given one, and arbitrary if
-  /// there is none.
+  /// the unit normal of the point in the middle. It points to the side of the point if that is known, see
+  /// `is_sided()`; else its orientation is arbitrary.
   /// \pre `has_normals()`
   const Vector_3& normal() const { return m_surface.normals[m_center]; }
   /// the unit normal of a neighbor
   /// \pre `has_normals()`
   const Vector_3& normal(std::size_t j) const { return m_surface.normals[m_neighbors[j]]; }
 
-  /// whether the side of the point is known: the caller gave a normal, or two sheets were told apart
+  /// whether the side of the point is known: the caller gave a normal that is trusted, or two sheets were
+  /// told apart
   bool is_sided() const { return m_surface.sides && m_surface.sides[m_center] != NULL_VECTOR; }
   /// whether a neighbor is known to be on the opposite side, hence another sheet of the surface
   /// \pre `is_sided()`
@@ -85,6 +86,7 @@ public:
       return normal(j) * normal() < 0.;
     return other * m_surface.sides[m_center] < 0.;
   }
+
   /// the standard deviation of the noise around the point, as estimated before the first step; 0
   /// unless the estimator declares `Uses_surface_estimate`
   double noise() const { return m_surface.noise; }

@@ -22,8 +22,8 @@ namespace Point_set_flow {
    out neighbors on the opposite side, and may be smaller.
 
    The noise is the deviation of neighborhoods from fitted quadrics, pooled over the 64 nearest of these
-   points. Of the neighborhood sizes 12, 24, 48, 96 and 192 the first is used whose neighborhoods spread
-   over a surface rather than over lines or columns, and whose radius is at least four times the noise found
+   points. Of the neighborhood sizes 12, 24, 48 and 96 the first is used whose neighborhoods spread
+   over a surface rather than over lines or columns, and whose radius is at least 2.25 times the noise found
    with it: smaller ones cannot tell noise from shape. From the two smallest, the deviation is
    extrapolated to a neighborhood without shape.
 

@@ -33,7 +33,8 @@ class Quadric_fit {
 public:
   static constexpr std::size_t unknowns = 6;
 
-  /// \param neighbors the first entry is the point itself
+  /// \param neighbors the first entry is the point itself; is kept by reference
+  /// \pre there are more than 6, and the radius is positive
   Quadric_fit(const Array<Point_3>& points, const std::vector<std::uint32_t>& neighbors,
               double radius)
       : m_points(points), m_neighbors(neighbors), m_radius(radius),
@@ -66,6 +67,9 @@ public:
     m_quadric = products.ldlt().solve(right);
     m_squares = (std::max)(squares - right.dot(m_quadric), 0.);
   }
+
+  Quadric_fit(const Quadric_fit&) = delete; // refers to the points
+  Quadric_fit& operator=(const Quadric_fit&) = delete;
 
   /// the standard deviation of the residuals, with the degrees of freedom of the quadric taken off
   double deviation() const { return m_radius * std::sqrt(m_squares / m_freedom); }

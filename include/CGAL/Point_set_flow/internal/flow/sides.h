@@ -5,6 +5,7 @@
 #include <CGAL/license/Point_set_flow.h>
 
 #include <CGAL/Point_set_flow/internal/neighbors/Surface.h>
+#include <CGAL/Point_set_flow/internal/parallel/Array.h>
 
 #include <cstddef>
 #include <utility>
@@ -28,10 +29,9 @@ inline void take_given_sides(Surface_state& state, Array<Vector_3>&& sides)
 }
 
 /// Takes the sides that were found, where none is trusted: of two sheets, the direction from the
-/// middle between them to a point is the same for all points of one sheet, and opposite to that of the
-/// other's.
-/// \param sides +-1 for points on the side of the normal and on the other, 0 where there are no two
-///        sheets
+/// middle between them to a point is the same for all points of one sheet, and opposite for those of the
+/// other. Turns the normals to the sides.
+/// \param sides see `Sheets::sides`
 inline void take_found_sides(Surface_state& state, const Array<signed char>& sides)
 {
   for (std::size_t i = 0; i < sides.size(); ++i) {

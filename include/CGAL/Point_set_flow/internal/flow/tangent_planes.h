@@ -23,7 +23,7 @@ Tangent_plane_3 tangent_plane_of(const Neighborhood_3& neighborhood, const Curva
 
 /// The tangent plane of each point of a surface, with the surface variation, Eq. (2); of the
 /// prefiltered surface this is \f$|\kappa_H(G_\sigma \times u)|\f$.
-/// \param normals receives the normals, oriented as the given ones; null if not needed
+/// \param normals receives the normals, oriented to the sides that are known; null if not needed
 template <typename ConcurrencyTag, typename Curvature>
 void find_tangent_planes(const Surface& surface, const Curvature& curvature,
                          Array<Vector_3>* normals, Array<double>& variation,

@@ -22,7 +22,7 @@ struct Local_parameters {
   std::uint32_t least_size; ///< smaller ones do not spread over the surface
   double filter_width;      ///< of the Gaussians, in neighborhood radii
   bool trusts_sides;        ///< whether the given sides can be trusted
-  bool has_two_sheets;      ///< whether neighborhoods hold both sides of a thin part
+  bool has_two_sheets;      ///< whether the largest neighborhoods around the sample hold two sheets
   double of_scans;          ///< the share of the variance that the scans explain
   Diffusivity diffusivity = Diffusivity(0.);
 };
@@ -34,10 +34,10 @@ struct Surface_state {
   Array<std::uint32_t> part_of; ///< for each point, the part that it belongs to
   const std::vector<Local_parameters>& parts;
   double time = 0.;      ///< 0 in the first step, 1 in the last
-  Array<Vector_3> sides; ///< null vectors where not known or not trusted; empty if none is
+  Array<Vector_3> sides; ///< given or found; null vectors where not known; empty if none is
 
-  /// Whether neighbors on the opposite side are another sheet: if there are layers on the same side then, it
-  /// is one surface scanned twice.
+  /// Whether the side of a point is known: its neighbors on the opposite side are another sheet then, and
+  /// layers on its own side are one surface scanned twice.
   bool is_sided(std::size_t i) const { return !sides.empty() && sides[i] != NULL_VECTOR; }
 
   /// The normal of a point oriented to its side.

@@ -23,7 +23,7 @@ struct Local_scale {
   double noise = 0., spacing = 0.;
   std::uint32_t least_size = 0; ///< the fewest neighbors that spread over the surface; 0 if unknown
   bool trusts_sides = false;    ///< whether the given sides can be trusted
-  bool has_two_sheets = false;  ///< whether neighborhoods hold both sides of a thin part
+  bool has_two_sheets = false;  ///< whether the largest neighborhoods hold those of two sheets
   double of_scans = 0.;         ///< the share of the variance that the scans explain
 };
 
@@ -74,7 +74,7 @@ public:
     scale.noise = std::sqrt(variance);
     if (scale.noise < rounding * m_residuals[i].radius[s])
       scale.noise = 0.;
-    scale.has_two_sheets = has_two_sheets(i);
+    scale.has_two_sheets = scale.noise > 0. && has_two_sheets(i);
     s = (std::max)(s, Residuals::steady);
     while (s > 0 && !(m_residuals[i].radius[s] > 0.))
       --s;
@@ -107,7 +107,8 @@ private:
     m_variances.clear();
     const auto add = [&](const Residuals& residuals) {
       if (residuals.is_measured(s))
-        m_variances.push_back(residuals.variance[s]);
+        m_variances.push_back(residuals.variance[s] *
+                              filled(residuals.radius[s], residuals.variance[s]));
     };
     add(m_residuals[i]);
     for (std::size_t j = 0; j < m_near.size(i); ++j)
@@ -119,8 +120,7 @@ private:
     // that of the chi-squared distribution, by the approximation of Wilson and Hilferty
     const double freedom = double(Residuals::sizes[s]) - 5., normal_tercile = -.4307;
     const double a = 2. / (9. * freedom), root = 1. - a + normal_tercile * std::sqrt(a);
-    const double variance = *tercile / (root * root * root);
-    return variance * filled(m_residuals[i].radius[s], variance);
+    return *tercile / (root * root * root);
   }
 
   /// By how much noise is underestimated that fills the neighborhoods.
@@ -131,26 +131,34 @@ private:
   static double filled(double radius, double variance)
   {
     const double limit = .37, most = .7; // beyond, r hardly depends on the noise
+    if (!(radius > 0.))
+      return 1.;
     const double share = std::pow(std::sqrt(variance) / (limit * radius), 3);
-    return radius > 0. ? std::pow(1. - (std::min)(share, most), -2. / 3.) : 1.;
+    return std::pow(1. - (std::min)(share, most), -2. / 3.);
   }
 
-  /// Whether the residuals around sample `i` are bimodal: with two sheets d apart and the noise s, the excess
-  /// kurtosis is -2 / (1 + (2 s / d)^2)^2, and -.7 if d is 2.4 s. Flat-topped noise that is not
-  /// bimodal hardly gets there: its kurtosis is that of sheets closer than that.
-  bool has_two_sheets(std::size_t i) const
+  /// Whether the neighborhoods around sample `i` hold two sheets: the residuals of the largest are bimodal, and
+  /// the smaller ones hold less of the other sheet.
+  ///
+  /// With two sheets d apart and the noise s, the excess kurtosis is -2 / (1 + (2 s / d)^2)^2, and -.3 if d is
+  /// 1.6 s. That of uniform noise is as low, but its variance does not grow.
+  bool has_two_sheets(std::size_t i)
   {
-    const double bimodal = -.7;
+    const double bimodal = -.3, grown = 1.2;
+    const std::size_t small = 1, large = Residuals::sizes.size() - 1;
     double excess = 0., count = 0.;
     const auto add = [&](const Residuals& residuals) {
-      if (residuals.is_measured(Residuals::sizes.size() - 1))
+      if (residuals.is_measured(large))
         excess += residuals.excess_kurtosis, count += 1.;
     };
     add(m_residuals[i]);
     for (std::size_t j = 0; j < m_near.size(i); ++j)
       add(m_residuals[m_near.neighbors(i)[j]]);
-    const double enough = 20.; // samples, for a standard error of about .2
-    return count >= enough && excess < bimodal * count;
+    const double enough = 20.; // samples
+    if (count < enough || excess > bimodal * count)
+      return false;
+    const double before = pooled_variance(i, small);
+    return before >= 0. && pooled_variance(i, large) > grown * before;
   }
 };
 

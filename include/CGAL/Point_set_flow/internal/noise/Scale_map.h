@@ -5,6 +5,8 @@
 #include <CGAL/license/Point_set_flow.h>
 
 #include <CGAL/Point_set_flow/internal/fitting/median.h>
+#include <CGAL/Point_set_flow/internal/neighbors/Group_search.h>
+#include <CGAL/Point_set_flow/internal/neighbors/Neighbor_graph.h>
 #include <CGAL/Point_set_flow/internal/noise/Layer_evidence.h>
 #include <CGAL/Point_set_flow/internal/noise/Residual_pool.h>
 #include <CGAL/Point_set_flow/internal/noise/choose_samples.h>

@@ -51,7 +51,7 @@ void pool(const Neighbor_graph& graph, Array<Distance_moments>& moments,
 struct Sheet_fit {
   double noise;
   std::uint32_t size;
-  bool is_between; ///< whether the neighbors are those of two sheets
+  bool holds_two_sheets; ///< whether the neighbors are those of two sheets
 
   /// \param moments of the distances from the tangent planes, in spacings
   /// \param found_noise around the point
@@ -60,7 +60,7 @@ struct Sheet_fit {
   /// \param is_sided whether the neighbors are all on one side: layers are one surface scanned twice
   Sheet_fit(const Distance_moments& moments, double found_noise, const Local_parameters& local,
             const Curvature_defaults& defaults, bool is_given, bool is_sided)
-      : noise(found_noise), size(local.size), is_between(false)
+      : noise(found_noise), size(local.size), holds_two_sheets(false)
   {
     const double spacing = local.spacing;
     const auto share = [](double x, double low, double high) {
@@ -82,8 +82,8 @@ struct Sheet_fit {
       noise = (std::min)(noise, spacing * std::sqrt(variance * (1. - is_wall * between)));
 
     // Around the sample there are two sheets, but the neighbors may still be those of one.
-    const double on_both = .2, likely = .5;
-    is_between = local.has_two_sheets && is_wall > likely && -excess > on_both;
+    const double least_bimodal = .2, likely = .5;
+    holds_two_sheets = local.has_two_sheets && is_wall > likely && -excess > least_bimodal;
 
     const double few = .4, fewest = 12.;
     if (local.least_size > fewest)
@@ -100,10 +100,21 @@ struct Sheet_fit {
 /// What suits each point
 struct Sheets {
   Array<std::uint32_t> sizes; ///< of the neighborhoods
-  /// where neighborhoods hold two sheets, +-1 for points on the side of the normal and on the other; 0
-  /// elsewhere
+  /// 1 for points on the side to which their normal points, -1 for the others, 0 where neighborhoods do not
+  /// hold two sheets
   Array<signed char> sides;
 };
+
+/// Whether the side of a neighbor is known. What is found must not contradict it: given normals may point into
+/// the wall.
+inline bool has_sided_neighbor(const Surface& surface, std::size_t i)
+{
+  if (surface.state.sides.empty())
+    return false;
+  const std::uint32_t* neighbors = surface.graph.neighbors(i);
+  return std::any_of(neighbors, neighbors + surface.graph.size(i),
+                     [&](std::uint32_t j) { return surface.state.is_sided(j); });
+}
 
 /// The number of loops of `fit_sheets()`
 constexpr int sheet_loops = 5;
@@ -125,7 +136,7 @@ Sheets fit_sheets(const Surface& surface, const Curvature_defaults& defaults, Ar
       moments[i] = surface.state.parameters(i).spacing > 0.
                        ? Distance_moments(surface.neighborhood(i), height)
                        : Distance_moments(0., 0.);
-      sheets.sides[i] = height < 0. ? -1 : 1;
+      sheets.sides[i] = height > 0. ? 1 : height < 0. ? -1 : 0;
     }
   });
   for (int i = 0; i < 3; ++i)
@@ -134,15 +145,15 @@ Sheets fit_sheets(const Surface& surface, const Curvature_defaults& defaults, Ar
     for (std::size_t i = begin; i < end; ++i) {
       const Local_parameters& local = surface.state.parameters(i);
       sheets.sizes[i] = local.size;
-      bool is_between = false;
+      bool holds_two_sheets = false;
       if (local.spacing > 0.) {
         const Sheet_fit fit(moments[i], noise[i], local, defaults, is_given,
                             surface.state.is_sided(i));
         noise[i] = fit.noise;
         sheets.sizes[i] = fit.size;
-        is_between = fit.is_between;
+        holds_two_sheets = fit.holds_two_sheets && !has_sided_neighbor(surface, i);
       }
-      if (!is_between)
+      if (!holds_two_sheets)
         sheets.sides[i] = 0;
     }
   });
