@@ -348,13 +348,15 @@ BOOST_AUTO_TEST_CASE(thin_parts_are_distinguished_from_noise)
     internal::Neighbor_graph graph(tree, {60}, loops);
     const double layer = (thin ? std::sqrt(5.) : 1.) * sigma;
     const std::vector<internal::Local_parameters> parts = {
-        {layer, spacing, 60, 12, .6, false, 0., Diffusivity(0.)}};
-    internal::Surface_state state = {{}, {}, {}, parts, 0., {}, {}};
+        {layer, spacing, 60, 12, .6, false, false, 0., Diffusivity(0.)}};
+    internal::Surface_state state = {{}, {}, {}, parts, 0., {}};
     state.normals.assign(points.size(), Vector_3(0, 0, 1));
     state.noise.assign(points.size(), layer);
     state.part_of.assign(points.size(), 0);
-    const internal::Array<std::uint32_t> sizes = internal::fit_sheets(
-        {points, graph, state}, Tangent_plane_curvature::defaults(), state.noise, false, loops);
+    const internal::Array<std::uint32_t> sizes =
+        internal::fit_sheets({points, graph, state}, Tangent_plane_curvature::defaults(),
+                             state.noise, false, loops)
+            .sizes;
     const double noise =
         std::accumulate(state.noise.begin(), state.noise.end(), 0.) / double(points.size());
     const double size = std::accumulate(sizes.begin(), sizes.end(), 0.) / double(points.size());

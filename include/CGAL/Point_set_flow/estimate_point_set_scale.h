@@ -23,7 +23,7 @@ namespace Point_set_flow {
 
    The noise is the deviation of neighborhoods from fitted quadrics, pooled over the 64 nearest of these
    points. Of the neighborhood sizes 12, 24, 48 and 96 the first is used whose neighborhoods spread
-   over a surface rather than over lines or columns, and whose radius is at least 2.25 times the noise found
+   over a surface rather than over lines or columns, and whose radius is at least 2.1 times the noise found
    with it: smaller ones cannot tell noise from shape. From the two smallest, the deviation is
    extrapolated to a neighborhood without shape.
 

@@ -43,7 +43,7 @@ public:
   /// large against the noise found in them; from the last two-dimensional one, if there is none.
   Local_scale scale(std::size_t i)
   {
-    const double large = 2.25; // radius of a neighborhood over the noise in it
+    const double large = 2.1; // radius of a neighborhood over the noise in it
     const std::size_t count = Residuals::sizes.size();
     Local_scale scale;
     double variance = 0.;
@@ -104,11 +104,16 @@ private:
   /// What a third of the samples around are below: noise is everywhere, detail is not.
   double pooled_variance(std::size_t i, std::size_t s)
   {
+    // of the chi-squared distribution, by the approximation of Wilson and Hilferty
+    const double freedom = double(Residuals::sizes[s]) - 5., normal_tercile = -.4307;
+    const double a = 2. / (9. * freedom), root = 1. - a + normal_tercile * std::sqrt(a);
+    const double chi_squared_tercile = root * root * root;
     m_variances.clear();
     const auto add = [&](const Residuals& residuals) {
-      if (residuals.is_measured(s))
-        m_variances.push_back(residuals.variance[s] *
-                              filled(residuals.radius[s], residuals.variance[s]));
+      if (!residuals.is_measured(s))
+        return;
+      const double variance = residuals.variance[s] / chi_squared_tercile;
+      m_variances.push_back(variance * filled(residuals.radius[s], variance));
     };
     add(m_residuals[i]);
     for (std::size_t j = 0; j < m_near.size(i); ++j)
@@ -117,10 +122,7 @@ private:
       return -1.;
     const auto tercile = m_variances.begin() + std::ptrdiff_t(m_variances.size() / 3);
     std::nth_element(m_variances.begin(), tercile, m_variances.end());
-    // that of the chi-squared distribution, by the approximation of Wilson and Hilferty
-    const double freedom = double(Residuals::sizes[s]) - 5., normal_tercile = -.4307;
-    const double a = 2. / (9. * freedom), root = 1. - a + normal_tercile * std::sqrt(a);
-    return *tercile / (root * root * root);
+    return *tercile;
   }
 
   /// By how much noise is underestimated that fills the neighborhoods.
@@ -144,7 +146,7 @@ private:
   /// 1.6 s. That of uniform noise is as low, but its variance does not grow.
   bool has_two_sheets(std::size_t i)
   {
-    const double bimodal = -.3, grown = 1.2;
+    const double bimodal = -.3, grown = 1.1;
     const std::size_t small = 1, large = Residuals::sizes.size() - 1;
     double excess = 0., count = 0.;
     const auto add = [&](const Residuals& residuals) {
