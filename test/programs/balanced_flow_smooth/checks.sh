@@ -16,6 +16,21 @@ words_from() { sed 's/\r//; /^#/d' "$2" | cut -d' ' -f"$1"-; }
 # some of the first three words of the lines differ
 moved() { [ "$(cut -d' ' -f1-3 "$1" | paste - <(cut -d' ' -f1-3 "$2") | awk '$1 != $4 || $2 != $5 || $3 != $6' | wc -l)" -ge 1 ]; }
 
+patch() { # patch FROM TO PLACE FORMAT VALUE: one value differs
+  python3 -c "
+import struct, sys
+b = bytearray(open('$1', 'rb').read())
+struct.pack_into('<$4', b, $3, $5)
+open('$2', 'wb').write(b)"
+}
+refused() { # refused "what" "message" FILE: the file stays, and no other comes to be
+  cp "$3" before
+  check "$1" fails_with 2 "cannot read $3: $2" "$program" "$3" "no.${3##*.}"
+  check "$1, in place" fails_with 2 "cannot read $3: $2" "$program" -i "$3"
+  check "$1, it stays" cmp "$3" before
+  check "$1, standard output is empty" bash -c "[ -z \"\$('$program' '$3' - 2> /dev/null)\" ]"
+}
+
 cat > colors.xyz <<'END'
 # x y z r g b label
 0 0 0.1 255 0 12 3

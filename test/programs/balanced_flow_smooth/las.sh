@@ -112,20 +112,6 @@ check "and stays" cmp busy.las before.las
 
 # ---- files that lie
 
-patch() { # patch FROM TO PLACE FORMAT VALUE: one value differs
-  python3 -c "
-import struct, sys
-b = bytearray(open('$1', 'rb').read())
-struct.pack_into('<$4', b, $3, $5)
-open('$2', 'wb').write(b)"
-}
-refused() { # refused "what" "message" FILE: the file stays, and no other comes to be
-  cp "$3" before.las
-  check "$1" fails_with 2 "cannot read $3: $2" "$program" "$3" no.las
-  check "$1, in place" fails_with 2 "cannot read $3: $2" "$program" -i "$3"
-  check "$1, it stays" cmp "$3" before.las
-  check "$1, standard output is empty" bash -c "[ -z \"\$('$program' '$3' - 2> /dev/null)\" ]"
-}
 good=1.4_7.las
 size=$(stat -c %s $good)
 : > empty.las

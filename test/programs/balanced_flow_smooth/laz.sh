@@ -124,19 +124,6 @@ check "COPC in which nothing moves stays COPC" bash -c "'$program' some.copc.laz
 
 # ---- files that lie
 
-patch() { # patch FROM TO PLACE FORMAT VALUE: one value differs
-  python3 -c "
-import struct, sys
-b = bytearray(open('$1', 'rb').read())
-struct.pack_into('<$4', b, $3, $5)
-open('$2', 'wb').write(b)"
-}
-refused() { # refused "what" "message" FILE: the file stays, and no other comes to be
-  cp "$3" before.laz
-  check "$1" fails_with 2 "cannot read $3: $2" "$program" "$3" no.laz
-  check "$1, in place" fails_with 2 "cannot read $3: $2" "$program" -i "$3"
-  check "$1, it stays" cmp "$3" before.laz
-}
 size=$(stat -c %s 1.2_3.laz) begin=$(python3 -c "import struct; print(struct.unpack_from('<I', open('1.2_3.laz', 'rb').read(), 96)[0])")
 for part in $((begin + 4)) $((begin + 1000)) $((size - 1)); do
   head -c $part 1.2_3.laz > bad.laz

@@ -83,17 +83,24 @@ public:
   }
 
 private:
+  /// The samples around sample `i`, without itself
+  template <typename Visit>
+  void for_each_near(std::size_t i, const Visit& visit) const
+  {
+    for (std::size_t j = 0; j < m_near.size(i); ++j)
+      visit(m_residuals[m_near.neighbors(i)[j]]);
+  }
+
   /// Whether the number of neighbors grows with the square of the radius: on lines and in columns
   /// of points it does not, and quadrics would fit anything there.
   bool is_two_dimensional(std::size_t i, std::size_t s) const
   {
     double growth = m_residuals[i].growth[s];
     double count = 1.;
-    for (std::size_t j = 0; j < m_near.size(i); ++j) {
-      const Residuals& other = m_residuals[m_near.neighbors(i)[j]];
+    for_each_near(i, [&](const Residuals& other) {
       if (other.radius[s] > 0.)
         growth += other.growth[s], count += 1.;
-    }
+    });
     const double dimension = std::log(2.) * count / growth;
     const double least = 1.5, most = 3.3; // noise that exceeds the spacing fills space
     return dimension > least && dimension < most;
@@ -116,8 +123,7 @@ private:
       m_variances.push_back(variance * filled(residuals.radius[s], variance));
     };
     add(m_residuals[i]);
-    for (std::size_t j = 0; j < m_near.size(i); ++j)
-      add(m_residuals[m_near.neighbors(i)[j]]);
+    for_each_near(i, add);
     if (3 * m_variances.size() < m_near.size(i) + 1)
       return -1.;
     const auto tercile = m_variances.begin() + std::ptrdiff_t(m_variances.size() / 3);
@@ -154,8 +160,7 @@ private:
         excess += residuals.excess_kurtosis, count += 1.;
     };
     add(m_residuals[i]);
-    for (std::size_t j = 0; j < m_near.size(i); ++j)
-      add(m_residuals[m_near.neighbors(i)[j]]);
+    for_each_near(i, add);
     const double enough = 20.; // samples
     if (count < enough || excess > bimodal * count)
       return false;

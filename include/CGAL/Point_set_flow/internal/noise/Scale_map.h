@@ -64,10 +64,10 @@ public:
     for_each_sample(loops, [&](std::size_t begin, std::size_t end) {
       Residual_pool pool(residuals, near);
       for (std::size_t i = begin; i < end; ++i) {
-        const bool trusts_sides = m_scales[i].trusts_sides;
-        m_scales[i] = pool.scale(i);
-        m_scales[i].trusts_sides = trusts_sides;
-        m_scales[i].of_scans = scans.empty() ? 0. : layers.of_scans(near, i);
+        Local_scale scale = pool.scale(i);
+        scale.trusts_sides = m_scales[i].trusts_sides;
+        scale.of_scans = scans.empty() ? 0. : layers.of_scans(near, i);
+        m_scales[i] = scale;
       }
     });
     steady(near, loops);
