@@ -59,7 +59,7 @@ struct Patch {
   }
   double scan_evidence() const
   {
-    return internal::scan_evidence(points, 0, neighbors.data(), neighbors.size(), scans);
+    return internal::scan_evidence(points, 0, neighbors.data(), neighbors.size(), scans).share;
   }
 };
 
@@ -79,13 +79,13 @@ BOOST_AUTO_TEST_CASE(sides_that_agree_are_not_mixed)
   for (const double distance : {0., 2. * sigma, 4. * sigma}) {
     Patch patch(40, distance, random);
     const internal::Side_evidence evidence = patch.side_evidence();
-    BOOST_TEST(!evidence.is_mixed);
+    BOOST_TEST(evidence.mixture == 0.);
     BOOST_TEST(evidence.known == 40u);
     BOOST_TEST(evidence.t == 0.);
     // those that are not known do not count
     std::fill_n(patch.sides.begin(), 10, Vector_3(0., 0., 0.));
     BOOST_TEST(patch.side_evidence().known == 30u);
-    BOOST_TEST(!patch.side_evidence().is_mixed);
+    BOOST_TEST(patch.side_evidence().mixture == 0.);
   }
 }
 
@@ -117,7 +117,7 @@ BOOST_AUTO_TEST_CASE(the_sheets_of_a_wall_lie_apart)
     const double mean = mean_of(200, [&] {
       Patch patch(49, separation * sigma, random, true);
       const internal::Side_evidence evidence = patch.side_evidence();
-      BOOST_REQUIRE(evidence.is_mixed);
+      BOOST_REQUIRE(evidence.mixture > 0.);
       BOOST_REQUIRE(evidence.known == 49u);
       least = (std::min)(least, evidence.t);
 

@@ -50,14 +50,21 @@ public:
   }
 };
 
-/// The share, 0 to 1, of the variance of the heights above a plane that the scans of the points explain:
-/// the part of the deviation that is registration error. It is eta squared, with the degrees of freedom of
-/// plane and scans taken off; 0 if there is one scan only, or too few points to tell.
+/// The part of the deviation of a neighborhood that is registration error.
+struct Scan_evidence {
+  double variance =
+      0.; ///< of the heights above a plane, what the scans explain; without bias, hence also negative
+  double share = 0.; ///< of it in the whole variance, 0 to 1
+};
+
+/// How much of the variance of the heights above a plane the scans of the points explain. The share is eta
+/// squared, with the degrees of freedom of plane and scans taken off. Nothing, if there is one scan only, or too
+/// few points to tell.
 /// \param neighbors, size those of point `i`
 /// \param scans the number of the scan of each point
-inline double scan_evidence(const Array<Point_3>& points, std::size_t i,
-                            const std::uint32_t* neighbors, std::size_t size,
-                            const Array<std::uint32_t>& scans)
+inline Scan_evidence scan_evidence(const Array<Point_3>& points, std::size_t i,
+                                   const std::uint32_t* neighbors, std::size_t size,
+                                   const Array<std::uint32_t>& scans)
 {
   const Neighborhood_3 neighborhood(points.data(), i, neighbors, size, 0., 0.);
   const Vector_3 normal = smallest_eigenpair(Covariance_3(neighborhood)).vector;
@@ -90,9 +97,9 @@ inline double scan_evidence(const Array<Point_3>& points, std::size_t i,
   const double of_plane = 3., freedom = double(scanned.size()) - of_plane;
   const double freedom_within = freedom - (number_of_scans - 1.), rest = together.rest();
   if (number_of_scans < 2. || !(freedom_within > 0.) || !(rest > 0.))
-    return 0.;
-  const double share = 1. - (within.rest() / freedom_within) / (rest / freedom);
-  return (std::min)((std::max)(share, 0.), 1.);
+    return {};
+  const double variance = rest / freedom - within.rest() / freedom_within;
+  return {variance, (std::min)((std::max)(variance / (rest / freedom), 0.), 1.)};
 }
 
 } // namespace internal

@@ -20,7 +20,9 @@ namespace internal {
 struct Side_evidence {
   bool is_known = false; ///< whether the point itself has a side
   std::size_t known = 0; ///< how many of the points have one
-  bool is_mixed = false; ///< whether some are on one side and some on the other
+  /// 0 if all are on the same side, 1 if as many are on the one side as on the other: four times the product of
+  /// their shares, about 1 if sides are random
+  double mixture = 0.;
   /// The t statistic of two samples for the difference between the heights of those with their side
   /// up and of those with their side down; 0 if there is none or too few to tell. The normals of a thin
   /// wall point away from each other if it is greater than 0. Random sides have a mean square of about 1.
@@ -53,8 +55,10 @@ inline Side_evidence side_evidence(const Array<Point_3>& points, std::size_t i,
 
   const double count = up.count + down.count;
   evidence.known = static_cast<std::size_t>(count);
-  evidence.is_mixed = up.count > 0. && down.count > 0.;
-  if (evidence.is_mixed && count > 2.) {
+  if (up.count == 0. || down.count == 0.)
+    return evidence;
+  evidence.mixture = 4. * up.count * down.count / (count * count);
+  if (count > 2.) {
     const double variance = (up.squares + down.squares) / (count - 2.);
     const double difference = up.mean - down.mean;
     if (difference != 0.) // infinite without noise

@@ -126,9 +126,7 @@ private:
     part.noise = points.buffer().noise.of(map.sites()[i]).value_or(scale.noise);
     part.spacing = scale.spacing;
     part.least_size = scale.least_size;
-    part.trusts_sides = scale.trusts_sides;
-    part.has_two_sheets = scale.has_two_sheets;
-    part.of_scans = scale.of_scans;
+    part.layers = scale.layers;
     part.size = defaults.neighborhood_size(part.spacing > 0. ? part.noise / part.spacing : 0.);
     // where points lie in lines or columns, a little more than what makes them a surface
     if (scale.least_size > Residuals::sizes.front())

@@ -14,13 +14,20 @@ namespace CGAL {
 namespace Point_set_flow {
 namespace internal {
 
+/// Whether a given side can be trusted
+inline bool is_trusted(const Vector_3& side, const Local_layers& layers)
+{
+  return layers.side_trust == Side_trust::TWO_SHEETS ||
+         (layers.side_trust == Side_trust::ONE_SHEET && side * layers.usual_side > 0.);
+}
+
 /// Takes the sides that the caller gave, where they are trusted.
 /// \param sides one for each point, null vectors where not known; empty if none is given
 inline void take_given_sides(Surface_state& state, Array<Vector_3>&& sides)
 {
   bool is_any_trusted = false;
   for (std::size_t i = 0; i < sides.size(); ++i) {
-    if (!state.parameters(i).trusts_sides)
+    if (!is_trusted(sides[i], state.parameters(i).layers))
       sides[i] = NULL_VECTOR;
     is_any_trusted = is_any_trusted || sides[i] != NULL_VECTOR;
   }

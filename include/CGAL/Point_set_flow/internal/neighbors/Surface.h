@@ -15,15 +15,28 @@ namespace CGAL {
 namespace Point_set_flow {
 namespace internal {
 
+/// How far the given sides can be trusted around a sample
+enum class Side_trust {
+  NONE,
+  ONE_SHEET, ///< nearly all sides agree; those that do not are wrong
+  TWO_SHEETS ///< opposite sides are those of two sheets that lie apart
+};
+
+/// What is known of layers around a sample
+struct Local_layers {
+  Side_trust side_trust = Side_trust::NONE;
+  Vector_3 usual_side = NULL_VECTOR; ///< the given side of most points
+  bool has_two_sheets = false;       ///< whether the largest neighborhoods hold those of two sheets
+  double of_scans = 0.;              ///< the share of the variance that the scans explain
+};
+
 /// What suits the points around a sample, which make a part of the point set
 struct Local_parameters {
   double noise, spacing;
   std::uint32_t size;       ///< of the neighborhoods
   std::uint32_t least_size; ///< smaller ones do not spread over the surface
   double filter_width;      ///< of the Gaussians, in neighborhood radii
-  bool trusts_sides;        ///< whether the given sides can be trusted
-  bool has_two_sheets;      ///< whether the largest neighborhoods around the sample hold two sheets
-  double of_scans;          ///< the share of the variance that the scans explain
+  Local_layers layers;
   Diffusivity diffusivity = Diffusivity(0.);
 };
 

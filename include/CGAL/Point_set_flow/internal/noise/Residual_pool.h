@@ -5,6 +5,7 @@
 #include <CGAL/license/Point_set_flow.h>
 
 #include <CGAL/Point_set_flow/internal/neighbors/Neighbor_graph.h>
+#include <CGAL/Point_set_flow/internal/neighbors/Surface.h>
 #include <CGAL/Point_set_flow/internal/noise/Residuals.h>
 #include <CGAL/number_type_config.h>
 
@@ -22,9 +23,7 @@ namespace internal {
 struct Local_scale {
   double noise = 0., spacing = 0.;
   std::uint32_t least_size = 0; ///< the fewest neighbors that spread over the surface; 0 if unknown
-  bool trusts_sides = false;    ///< whether the given sides can be trusted
-  bool has_two_sheets = false;  ///< whether the largest neighborhoods hold those of two sheets
-  double of_scans = 0.;         ///< the share of the variance that the scans explain
+  Local_layers layers;
 };
 
 /// One thread's view on the residuals of all samples, pooled over the samples around each.
@@ -74,7 +73,7 @@ public:
     scale.noise = std::sqrt(variance);
     if (scale.noise < rounding * m_residuals[i].radius[s])
       scale.noise = 0.;
-    scale.has_two_sheets = scale.noise > 0. && has_two_sheets(i);
+    scale.layers.has_two_sheets = scale.noise > 0. && has_two_sheets(i);
     s = (std::max)(s, Residuals::steady);
     while (s > 0 && !(m_residuals[i].radius[s] > 0.))
       --s;

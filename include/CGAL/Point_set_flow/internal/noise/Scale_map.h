@@ -28,7 +28,7 @@ class Scale_map {
   std::vector<Local_scale> m_scales;
 
 public:
-  static constexpr int number_of_loops = 8;
+  static constexpr int number_of_loops = 9;
 
   template <typename ConcurrencyTag>
   Scale_map(const Neighbor_tree& tree, const Array<Vector_3>& sides,
@@ -38,7 +38,7 @@ public:
   {
     const std::size_t pooled = 64; // samples, besides the one in the middle
     const Neighbor_graph near(m_tree, {pooled, 0., {}}, loops);
-    const Layer_evidence layers(tree, m_sites, sides, scans, loops);
+    const Layer_evidence evidence(tree, m_sites, near, sides, scans, loops);
     std::vector<Residuals> residuals(m_sites.size());
     for_each_sample(loops, [&](std::size_t begin, std::size_t end) {
       // those on the other side do not count
@@ -50,8 +50,7 @@ public:
           m_sites.begin() + std::ptrdiff_t(begin), m_sites.begin() + std::ptrdiff_t(end),
           [&](const std::vector<std::uint32_t>& found, double) {
             const std::uint32_t site = m_sites[i];
-            const bool is_sided = !sides.empty() && layers.trusts_sides(near, i);
-            m_scales[i].trusts_sides = is_sided;
+            const bool is_sided = evidence.layers(i).side_trust == Side_trust::TWO_SHEETS;
             neighborhood.assign(1, {0., site});
             for (const std::uint32_t j : found)
               if (!is_sided || sides[j] * sides[site] >= 0.)
@@ -64,13 +63,15 @@ public:
     for_each_sample(loops, [&](std::size_t begin, std::size_t end) {
       Residual_pool pool(residuals, near);
       for (std::size_t i = begin; i < end; ++i) {
-        Local_scale scale = pool.scale(i);
-        scale.trusts_sides = m_scales[i].trusts_sides;
-        scale.of_scans = scans.empty() ? 0. : layers.of_scans(near, i);
-        m_scales[i] = scale;
+        m_scales[i] = pool.scale(i);
+        const bool has_two_sheets = m_scales[i].layers.has_two_sheets;
+        m_scales[i].layers = evidence.layers(i);
+        m_scales[i].layers.has_two_sheets = has_two_sheets;
       }
     });
     steady(near, loops);
+    for (std::size_t i = 0; i < m_scales.size(); ++i)
+      m_scales[i].noise = evidence.with_registration_error(m_scales[i].noise, i);
   }
 
   Scale_map(const Scale_map&) = delete; // the tree knows where the samples are

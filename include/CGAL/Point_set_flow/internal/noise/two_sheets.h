@@ -76,14 +76,14 @@ struct Sheet_fit {
     const double between = std::sqrt(share(-excess, doubtful, 2.)); // of the variance
     double is_wall =
         is_sided ? 0. : 1.; // or else registration error, as far as the scans explain it
-    if (local.of_scans > 0. && between > 0.)
-      is_wall *= 1. - (std::min)(local.of_scans / between, 1.);
+    if (local.layers.of_scans > 0. && between > 0.)
+      is_wall *= 1. - (std::min)(local.layers.of_scans / between, 1.);
     if (is_wall * between > 0. && !is_given)
       noise = (std::min)(noise, spacing * std::sqrt(variance * (1. - is_wall * between)));
 
     // Around the sample there are two sheets, but the neighbors may still be those of one.
     const double least_bimodal = .2, likely = .5;
-    holds_two_sheets = local.has_two_sheets && is_wall > likely && -excess > least_bimodal;
+    holds_two_sheets = local.layers.has_two_sheets && is_wall > likely && -excess > least_bimodal;
 
     const double few = .4, fewest = 12.;
     if (local.least_size > fewest)
