@@ -110,16 +110,10 @@ private:
   /// What a third of the samples around are below: noise is everywhere, detail is not.
   double pooled_variance(std::size_t i, std::size_t s)
   {
-    // of the chi-squared distribution, by the approximation of Wilson and Hilferty
-    const double freedom = double(Residuals::sizes[s]) - 5., normal_tercile = -.4307;
-    const double a = 2. / (9. * freedom), root = 1. - a + normal_tercile * std::sqrt(a);
-    const double chi_squared_tercile = root * root * root;
     m_variances.clear();
     const auto add = [&](const Residuals& residuals) {
-      if (!residuals.is_measured(s))
-        return;
-      const double variance = residuals.variance[s] / chi_squared_tercile;
-      m_variances.push_back(variance * filled(residuals.radius[s], variance));
+      if (residuals.is_measured(s))
+        m_variances.push_back(residuals.variance[s]);
     };
     add(m_residuals[i]);
     for_each_near(i, add);
@@ -128,20 +122,6 @@ private:
     const auto tercile = m_variances.begin() + std::ptrdiff_t(m_variances.size() / 3);
     std::nth_element(m_variances.begin(), tercile, m_variances.end());
     return *tercile;
-  }
-
-  /// By how much noise is underestimated that fills the neighborhoods.
-  ///
-  /// The nearest points in space are nearer in height, too: the deviation of the residuals, in radii, is
-  /// at most .37. Fitted to simulated planes with 12 to 96 neighbors, white and blue noise of the positions:
-  /// r = q / (1 + (q / .37)^3)^(1/3), within 3%, with q the true deviation in radii.
-  static double filled(double radius, double variance)
-  {
-    const double limit = .37, most = .7; // beyond, r hardly depends on the noise
-    if (!(radius > 0.))
-      return 1.;
-    const double share = std::pow(std::sqrt(variance) / (limit * radius), 3);
-    return std::pow(1. - (std::min)(share, most), -2. / 3.);
   }
 
   /// Whether the neighborhoods around sample `i` hold two sheets: the residuals of the largest are bimodal, and

@@ -7,6 +7,7 @@
 #include <CGAL/Point_set_flow/internal/fitting/Quadric_fit.h>
 #include <CGAL/Point_set_flow/internal/neighbors/Neighbor_query.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -25,8 +26,9 @@ struct Residuals {
   static constexpr std::array<std::size_t, 4> sizes = {{12, 24, 48, 96}};
   static constexpr std::size_t steady = 2; ///< the first size that gives a steady spacing
 
-  std::array<double, 4>
-      variance; ///< negative if not measured, or if hardly any places are distinct
+  /// The variance of the noise if the tercile of many is taken; negative if not measured, or if hardly any
+  /// places are distinct
+  std::array<double, 4> variance;
   std::array<double, 4> radius;
   std::array<double, 4> growth; ///< the logarithm of the radius over that of half of the neighbors
   double excess_kurtosis = 0.;  ///< at the largest size
@@ -58,13 +60,38 @@ struct Residuals {
       // copies are not independent of each other
       const Quadric_fit fit(points, members, radius[s]);
       const double r = fit.deviation();
-      variance[s] = r * r * ((m - unknowns) / m) * (places / (places - unknowns));
+      const double v = r * r * ((m - unknowns) / m) * (places / (places - unknowns)) /
+                       chi_squared_tercile(m - unknowns);
+      variance[s] = v * filled(radius[s], v);
       if (s + 1 == sizes.size())
         excess_kurtosis = fit.excess_kurtosis();
     }
   }
 
 private:
+  /// What a third of the values of the chi-squared distribution are below, by the degrees of freedom: the
+  /// approximation of Wilson and Hilferty
+  static double chi_squared_tercile(double freedom)
+  {
+    const double normal_tercile = -.4307;
+    const double a = 2. / (9. * freedom), root = 1. - a + normal_tercile * std::sqrt(a);
+    return root * root * root;
+  }
+
+  /// By how much noise is underestimated that fills the neighborhoods.
+  ///
+  /// The nearest points in space are nearer in height, too: the deviation of the residuals, in radii, is
+  /// at most .37. Fitted to simulated planes with 12 to 96 neighbors, white and blue noise of the positions:
+  /// r = q / (1 + (q / .37)^3)^(1/3), within 3%, with q the true deviation in radii.
+  static double filled(double radius, double variance)
+  {
+    const double limit = .37, most = .7; // beyond, r hardly depends on the noise
+    if (!(radius > 0.))
+      return 1.;
+    const double share = std::pow(std::sqrt(variance) / (limit * radius), 3);
+    return std::pow(1. - (std::min)(share, most), -2. / 3.);
+  }
+
   /// How many points are nearly in one place with the point: merging a scan with itself leaves such
   /// groups.
   static double number_of_copies(const std::vector<Neighbor>& neighborhood, std::size_t size)
