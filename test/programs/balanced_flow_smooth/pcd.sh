@@ -58,12 +58,13 @@ for r, s in zip(a[3], b[3]):
     assert abs(math.hypot(*(value(c, f) for c, f in zip(s[4:7], b[2][4:7]))) - 1) < 1e-5"
   check "$kind, and read again" bash -c "'$program' out.pcd same.pcd -q --iterations 0 && cmp out.pcd same.pcd && '$program' -n out.pcd | grep -q 'nx 5, ny 6, nz 7, by the names of the fields'"
 
-  make "'holes.pcd', '$kind', '$xyz rgb:F4', width=20, height=15, holes=[0, 7, 8, 150, 299]"
+  scanner="VIEWPOINT='0.5 0.5 9 1 0 0 0'"
+  make "'holes.pcd', '$kind', '$xyz rgb:F4', width=20, height=15, holes=[0, 7, 8, 150, 299], $scanner"
   make "'flat.pcd', '$kind', '$xyz rgb:F4', holes=[0, 7]"
   python "
 fields = fields_of('$xyz rgb:F4')
 rows = [r for i, r in enumerate(rows_of(fields, 300, 20)) if i not in (0, 7, 8, 150, 299)]
-make('valid.pcd', '$kind', '$xyz rgb:F4', width=295, rows=rows)"
+make('valid.pcd', '$kind', '$xyz rgb:F4', width=295, rows=rows, $scanner)"
   check "$kind, a grid keeps its places" bash -c "'$program' -n holes.pcd | grep -q '^invalid points *5, kept' && '$program' -n holes.pcd | grep -q '^points *295$'"
   check "$kind, a grid, an error on request" fails_with 2 "is (nan, nan, nan), but coordinates must be finite" "$program" holes.pcd no.pcd --invalid error
   check "$kind, without a grid an error" fails_with 2 "cannot read flat.pcd: points[0] is (nan, nan, nan)" "$program" flat.pcd no.pcd
@@ -141,6 +142,7 @@ done
 bad 'line 311: there are more points than the 299 of the header' "'ascii', '$xyz', WIDTH=299, POINTS=299"
 bad 'the file ends after 300 of 301 points' "'ascii', '$xyz', WIDTH=301, POINTS=301"
 bad 'the file ends after 300 of 301 points of 12 bytes' "'binary', '$xyz', WIDTH=301, POINTS=301"
+make "'more.pcd', 'binary', '$xyz', rest=b'more than is known'"
 check "bytes behind the points are told" bash -c "'$program' more.pcd out.pcd 2>&1 > /dev/null | grep -q 'warning: 18 bytes behind the points are kept as they are'"
 make "'bad.pcd', 'ascii', '$xyz'"
 sed -i '20s/ [^ ]*$//' bad.pcd

@@ -143,11 +143,10 @@ std::unique_ptr<Point_file> read_pcd(std::string bytes, const Read_options&)
     check_size(header, bytes.size());
   else
     records = pcd::decompress(bytes, header);
-  const std::string& all = header.data == pcd::Data::COMPRESSED ? records : bytes;
-  const std::size_t size_of_rest =
-      header.data == pcd::Data::ASCII
-          ? 0
-          : all.size() - header.end.at - header.count * header.record_size();
+  const std::size_t size_of_rest = // old files have bytes behind compressed points
+      header.data == pcd::Data::BINARY
+          ? bytes.size() - header.end.at - header.count * header.record_size()
+          : 0;
   const Record_plan plan(header);
   Anatomy anatomy = dissect(header, plan);
   std::unique_ptr<Raw_file> file;
