@@ -168,13 +168,26 @@ std::unique_ptr<Point_file> read_pcd(std::string bytes, const Read_options&)
   return file;
 }
 
+bool begins_with_header(const std::string& bytes)
+{
+  if (bytes.compare(size_of_mark(bytes), 6, "# .PCD") == 0)
+    return true;
+  Line_reader lines(Place{&bytes});
+  Field line;
+  std::vector<Field> words;
+  if (!lines.next(line))
+    return false;
+  lines.split(line, words);
+  return lines.text(words[0]) == "VERSION";
+}
+
 } // namespace
 
 Format pcd_format()
 {
   Format format;
   format.name = format.family = "pcd";
-  format.recognizes = pcd::begins_with_header;
+  format.recognizes = begins_with_header;
   format.read = read_pcd;
   format.write = pcd::write_pcd;
   return format;

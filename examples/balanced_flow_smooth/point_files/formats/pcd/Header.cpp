@@ -237,17 +237,4 @@ void Header::fail(const Line& line, const std::string& reason)
   throw std::runtime_error("line " + std::to_string(line.number) + ": " + reason);
 }
 
-bool begins_with_header(const std::string& bytes)
-{
-  if (bytes.compare(size_of_mark(bytes), 6, "# .PCD") == 0)
-    return true;
-  Line_reader lines(Place{&bytes});
-  Field line;
-  std::vector<Field> words;
-  if (!lines.next(line))
-    return false;
-  lines.split(line, words);
-  return lines.text(words[0]) == "VERSION";
-}
-
 } // namespace point_files::pcd

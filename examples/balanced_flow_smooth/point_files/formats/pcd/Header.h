@@ -40,7 +40,7 @@ public:
   std::vector<Field> count_places; // where the header has the number of points
   std::optional<Field> rows_place;
 
-  /// Throws `std::runtime_error` if the bytes begin with none.
+  /// Throws `std::runtime_error` if the bytes begin with none. They are not looked at afterwards.
   explicit Header(const std::string& bytes);
 
   /// whether the points are a grid that can be taken for the image of a scanner
@@ -74,9 +74,6 @@ private:
   std::size_t natural_number(const Line& line, std::size_t i) const;
   [[noreturn]] static void fail(const Line& line, const std::string& reason);
 };
-
-/// Whether the bytes begin as PCD files do.
-bool begins_with_header(const std::string& bytes);
 
 } // namespace point_files::pcd
 
