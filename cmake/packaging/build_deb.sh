@@ -5,7 +5,7 @@
 set -eu
 cd "$(dirname "$0")/../.."
 sh cmake/install_packages.sh build-essential debhelper fakeroot lintian cmake pkgconf libcgal-dev libeigen3-dev \
-  libtbb-dev libboost-dev libboost-program-options-dev libboost-test-dev nlohmann-json3-dev
+  libtbb-dev libboost-dev libboost-program-options-dev libboost-test-dev liblzf-dev nlohmann-json3-dev
 
 version=$(sed -n 's/^project(PointSetFlow VERSION \([0-9.]*\).*/\1/p' CMakeLists.txt)
 rm -rf build/debian

@@ -4,6 +4,7 @@
 // written as it was, byte by byte, and after smoothing all points are finite and the file is one of
 // as many points. With clang++ -fsanitize=fuzzer this is a target of libFuzzer; otherwise it tries
 // the files that are named on the command line.
+#include "point_files/invalid_points.h"
 #include "point_files/point_file_io.h"
 
 #include <CGAL/balanced_flow_smooth_point_set.h>
@@ -51,12 +52,14 @@ bool try_bytes(const std::string& bytes, const Format* format)
   require(to_bytes(*file, *file->format) == bytes, "what did not change is the same");
 
   const std::size_t size = file->points.size();
+  Set_aside invalid_points(*file);
   if (size <= 500) // the readers are what is tried
     CGAL::balanced_flow_smooth_point_set<CGAL::Sequential_tag>(
         file->points, CGAL::parameters::number_of_iterations(2));
   for (const Point_3& p : file->points)
     require(std::isfinite(p.x()) && std::isfinite(p.y()) && std::isfinite(p.z()),
             "all points are finite");
+  invalid_points.put_back();
   if (bytes.size() % 2 == 1 && file->format->has_normals)
     file->add_normals();
   for (const Format& to : all_formats()) {
@@ -72,7 +75,9 @@ bool try_bytes(const std::string& bytes, const Format* format)
       continue;
     }
     try {
-      require(read_point_bytes(written, &to, {})->points.size() == size,
+      Read_options options;
+      options.invalid = Invalid::KEEP; // also where they are an error by default
+      require(read_point_bytes(written, &to, options)->points.size() == size,
               "the file has as many points as before");
     }
     catch (const std::exception& e) {
@@ -83,17 +88,18 @@ bool try_bytes(const std::string& bytes, const Format* format)
 }
 
 /// Keeps and drops points that are not finite.
-void try_invalid_points(const std::string& bytes)
+/// \param format null: to be found from the bytes
+void try_invalid_points(const std::string& bytes, const Format* format)
 {
   Read_options options;
   std::unique_ptr<Point_file> file;
   std::string written;
   try {
     options.invalid = Invalid::KEEP;
-    file = read_point_bytes(bytes, nullptr, options);
+    file = read_point_bytes(bytes, format, options);
     require(to_bytes(*file, *file->format) == bytes, "what is kept is the same");
     options.invalid = Invalid::DROP;
-    file = read_point_bytes(bytes, nullptr, options);
+    file = read_point_bytes(bytes, format, options);
     written = to_bytes(*file, *file->format);
   }
   catch (const std::exception&) { // says what is wrong
@@ -109,11 +115,17 @@ void try_invalid_points(const std::string& bytes)
   }
 }
 
-/// The same as if the name of the file told each of the formats, for small files
+/// The same as if the name of the file told each of the formats, for small files; or just the format that
+/// the environment names, to try a single reader for long
 bool try_formats(const std::string& bytes)
 {
-  const bool is_good = try_bytes(bytes, nullptr);
-  try_invalid_points(bytes);
+  const char* const name = std::getenv("POINT_SET_FLOW_FUZZED_FORMAT");
+  const Format* const only = name ? find_format(name) : nullptr;
+  require(only || !name, "the format of POINT_SET_FLOW_FUZZED_FORMAT is known");
+  const bool is_good = try_bytes(bytes, only);
+  try_invalid_points(bytes, only);
+  if (only)
+    return is_good;
   for (const Format& format : all_formats())
     if (bytes.size() < 2000 && format.library.empty())
       try_bytes(bytes, &format);

@@ -61,6 +61,7 @@ class PointSetFlowConan(ConanFile):
         toolchain.cache_variables["POINT_SET_FLOW_BUILD_EXAMPLES"] = False
         toolchain.cache_variables["POINT_SET_FLOW_BUILD_PROGRAM"] = bool(self.options.with_program)
         toolchain.cache_variables["POINT_SET_FLOW_WITH_LASZIP"] = False  # not in ConanCenter
+        toolchain.cache_variables["POINT_SET_FLOW_WITH_LZF"] = False  # must not slip in
         toolchain.cache_variables["POINT_SET_FLOW_WITH_TBB"] = bool(self.options.with_tbb)
         toolchain.cache_variables["POINT_SET_FLOW_CONFIG_DIR"] = CONFIG_DIR
         toolchain.generate()

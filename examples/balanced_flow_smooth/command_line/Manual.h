@@ -58,6 +58,10 @@ inline const std::vector<std::pair<std::string, std::string>> formats = {
      "scans as grids of points, with their headers; (0, 0, 0) is where the scanner saw nothing "
      "and stays. All scans are smoothed as one, and the places of the scanners tell the sides "
      "of surfaces."},
+    {"pcd",
+     "versions .5 to .7: ascii, binary and, if the program was built with liblzf, "
+     "binary_compressed, with any fields. Organized clouds stay organized, and the position in "
+     "VIEWPOINT is that of the scanner. Written from other formats as binary."},
     {"off", "text, also COFF, NOFF, STOFF and so on, with the faces."},
     {"las",
      "versions 1.0 to 1.4 with point formats 0 to 10: only the coordinates and the bounds in the "
@@ -81,9 +85,9 @@ inline const std::vector<std::string> on_formats = {
     "NormalX and so on, or if the format is pwn. The summary tells what was taken for what. "
     "Normals "
     "that are null vectors or not finite are not known, and stay; --normals fills them.",
-    "Points whose coordinates are not finite are an error, except in PTX, unless --invalid keeps "
-    "them in their "
-    "places or drops them. They are not counted as points in the report, but on their own.",
+    "Points whose coordinates are not finite are an error, except in PTX and in organized PCD, "
+    "unless --invalid keeps them in their places or drops them. They are not counted as points in "
+    "the report, but on their own.",
     "Lines end with LF, CR or both. Text in UTF-16 is refused.",
     "In PLY, integer coordinates are rounded, and integer normals keep their length; normals of "
     "unsigned integers stay as they are.",

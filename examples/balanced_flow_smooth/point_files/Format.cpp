@@ -62,10 +62,14 @@ const Format& format_of_bytes(const std::string& bytes)
 
 void check_support(const Format& format)
 {
-  if (format.read)
-    return;
-  throw std::runtime_error("the format " + format.name + " needs " + format.library +
-                           ", which this program was built without: install it (" + format.package +
+  if (!format.read)
+    fail_without(format.library, format.package, "the format " + format.name);
+}
+
+void fail_without(const std::string& library, const std::string& package, const std::string& what)
+{
+  throw std::runtime_error(what + " needs " + library +
+                           ", which this program was built without: install it (" + package +
                            "), and build the program again");
 }
 

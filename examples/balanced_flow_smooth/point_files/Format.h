@@ -74,6 +74,11 @@ const Format& format_of_bytes(const std::string& bytes);
 /// Throws `std::runtime_error` if this build has not the library that the format needs.
 void check_support(const Format& format);
 
+/// Throws `std::runtime_error`, which says that this build has not a library that something needs.
+/// \param package where the library is found
+[[noreturn]] void fail_without(const std::string& library, const std::string& package,
+                               const std::string& what);
+
 } // namespace point_files
 
 #endif // POINT_FILES_FORMAT_H

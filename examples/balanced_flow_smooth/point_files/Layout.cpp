@@ -20,12 +20,6 @@ std::vector<Property> to_columns(const std::vector<std::string>& names)
   return properties;
 }
 
-bool is_unsigned(Scalar type)
-{
-  return type == Scalar::UINT8 || type == Scalar::UINT16 || type == Scalar::UINT32 ||
-         type == Scalar::UINT64;
-}
-
 } // namespace
 
 std::string role_of(const std::string& name)
@@ -100,7 +94,7 @@ std::vector<std::size_t> Layout::others() const
   std::vector<std::size_t> others;
   for (std::size_t i = 0; i < m_properties.size(); ++i) {
     const auto is_i = [i](std::size_t j) { return i == j; };
-    if (!m_properties[i].count_type &&
+    if (!m_properties[i].count_type && !m_properties[i].is_padding &&
         std::none_of(m_coordinates.begin(), m_coordinates.end(), is_i) &&
         !(m_has_normals && std::any_of(m_normals.begin(), m_normals.end(), is_i)))
       others.push_back(i);

@@ -18,6 +18,7 @@ struct Property {
   std::string name;
   Scalar type;                      // of its number, or of each number of a list
   std::optional<Scalar> count_type; // of a list
+  bool is_padding = false;          // means nothing
 
   Property(std::string n, Scalar t, std::optional<Scalar> c = std::nullopt)
       : name(std::move(n)), type(t), count_type(c)
@@ -57,7 +58,7 @@ public:
   /// where further properties go
   std::size_t last_coordinate() const;
 
-  /// the properties other than coordinates and normals, without lists
+  /// the properties other than coordinates and normals, without lists and padding
   std::vector<std::size_t> others() const;
 
 private:

@@ -28,8 +28,14 @@ bool is_little_endian();
 struct Block {
   Place first; // where they begin
   std::size_t count = 0;
-  std::optional<Field> count_field = std::nullopt;   // where the count is in the file
+  std::vector<Field> count_fields = {};              // where the count is in the file
   std::shared_ptr<const Scan_frame> frame = nullptr; // of a scan; null: all points share theirs
+};
+
+/// What announces new normals in a header, and where
+struct Announcement {
+  std::size_t place;
+  std::string text;
 };
 
 /// What the readers of the formats find out about the bytes of a file
@@ -41,8 +47,10 @@ struct Anatomy {
   std::string layout_source; // what tells it, for people
   bool has_types = true;     // whether the layout has the types of the numbers; text has none
   std::vector<Block> blocks; // the points
-  std::pair<std::size_t, std::string> normals_header; // what announces new normals, and where
-  std::vector<std::string> losses;                    // what other formats can not take
+  std::vector<Announcement> normals_header;
+  std::optional<Field>
+      rows_field; // of a grid: where the number of rows is, 1 if points are dropped
+  std::vector<std::string> losses;  // what other formats can not take
   std::string obstacle_to_dropping; // why no points may be dropped; empty if they may
 };
 
@@ -65,6 +73,9 @@ public:
   std::vector<std::string> losses() const override;
   Scalar coordinate_type() const override { return m_file.layout.coordinate_type(); }
 
+protected:
+  const std::string& bytes() const { return m_file.bytes; }
+
 private:
   struct Output; // what is written, and how far
 
@@ -77,8 +88,7 @@ private:
   template <typename Cursor>
   void write_record(const Cursor& cursor, const std::vector<Field>& fields, std::size_t i,
                     const Scan_frame* frame, Output& out) const;
-  void write_count(const Block& block, std::size_t before, Output& out) const;
-  void write_header_of_normals(Output& out) const;
+  void write_head(const Block& block, std::size_t before, bool with_new_normals, Output& out) const;
   void drop_record(std::size_t begin, std::size_t end, Output& out) const;
   const Column_types& column_types() const;
   void find_sides();

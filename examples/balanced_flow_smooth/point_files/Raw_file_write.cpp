@@ -9,6 +9,17 @@
 
 namespace point_files {
 
+namespace {
+
+bool is_same(double a, double b) { return a == b || (std::isnan(a) && std::isnan(b)); }
+
+bool is_same(const Scan_frame::Triple& a, const Scan_frame::Triple& b)
+{
+  return is_same(a[0], b[0]) && is_same(a[1], b[1]) && is_same(a[2], b[2]);
+}
+
+} // namespace
+
 /// The bytes of a file on their way out, with what replaces some of them
 struct Raw_file::Output {
   const std::string& bytes;
@@ -30,23 +41,31 @@ struct Raw_file::Output {
   }
 };
 
-/// Writes what announces new normals.
-void Raw_file::write_header_of_normals(Output& out) const
+/// Writes up to the records of a block, with what announces new normals, and with the number of records
+/// that are not dropped.
+/// \param before the number of points before those of the block
+void Raw_file::write_head(const Block& block, std::size_t before, bool with_new_normals,
+                          Output& out) const
 {
-  out.copy_up_to(m_file.normals_header.first);
-  out.text += m_file.normals_header.second;
-}
-
-/// Writes up to the records of a block, with the number of those that are not dropped.
-void Raw_file::write_count(const Block& block, std::size_t before, Output& out) const
-{
-  if (!drops_invalid || !block.count_field)
-    return;
-  const auto first = std::lower_bound(invalid.begin(), invalid.end(), before);
-  const auto last = std::lower_bound(first, invalid.end(), before + block.count);
-  out.copy_up_to(block.count_field->begin);
-  out.text += std::to_string(block.count - std::size_t(last - first));
-  out.done = block.count_field->end;
+  std::vector<std::pair<Field, std::string>> changes;
+  if (with_new_normals)
+    for (const Announcement& a : m_file.normals_header)
+      changes.push_back({{a.place, a.place}, a.text});
+  if (drops_invalid) {
+    const auto first = std::lower_bound(invalid.begin(), invalid.end(), before);
+    const auto last = std::lower_bound(first, invalid.end(), before + block.count);
+    for (const Field& field : block.count_fields)
+      changes.push_back({field, std::to_string(block.count - std::size_t(last - first))});
+    if (m_file.rows_field)
+      changes.push_back({*m_file.rows_field, "1"});
+  }
+  std::stable_sort(changes.begin(), changes.end(),
+                   [](const auto& a, const auto& b) { return a.first.begin < b.first.begin; });
+  for (const auto& [field, text] : changes) {
+    out.copy_up_to(field.begin);
+    out.text += text;
+    out.done = field.end;
+  }
 }
 
 /// Leaves out the bytes of a record, of text with all of its lines.
@@ -69,7 +88,7 @@ void Raw_file::write_record(const Cursor& cursor, const std::vector<Field>& fiel
   Scan_frame::Triple point = {points[i].x(), points[i].y(), points[i].z()};
   if (frame) {
     const Scan_frame::Triple before = coordinates(cursor, fields);
-    point = point == frame->to_shared(before) ? before : frame->to_own(point);
+    point = is_same(point, frame->to_shared(before)) ? before : frame->to_own(point);
   }
   for (const auto& [p, c] : m_changing) {
     const Scalar type = layout.properties()[p].type;
@@ -82,7 +101,7 @@ void Raw_file::write_record(const Cursor& cursor, const std::vector<Field>& fiel
       }
       now = round_to(type, now);
     }
-    if (now == before || (std::isnan(now) && std::isnan(before)))
+    if (is_same(now, before))
       continue;
     out.copy_up_to(fields[p].begin);
     cursor.append(out.text, type, now);
@@ -104,21 +123,12 @@ void Raw_file::write(const Target& target) const
     throw std::runtime_error("no points can be dropped: " + m_file.obstacle_to_dropping);
   Output out = {m_file.bytes, target.out};
   bool has_new_normals = !normals.empty() && !m_file.layout.has_normals();
-  const auto write_head = [&](const Block& block, std::size_t before) {
-    const bool count_comes_first =
-        block.count_field && block.count_field->begin < m_file.normals_header.first;
-    if (count_comes_first)
-      write_count(block, before, out);
-    if (has_new_normals)
-      write_header_of_normals(out);
-    has_new_normals = false;
-    if (!count_comes_first)
-      write_count(block, before, out);
-  };
   for_each_fields([&](const auto& cursor, const std::vector<Field>& fields, std::size_t i,
                       const Block& block, std::size_t before) {
-    if (i == before)
-      write_head(block, before);
+    if (i == before) {
+      write_head(block, before, has_new_normals, out);
+      has_new_normals = false;
+    }
     if (is_dropped(i))
       drop_record(fields.front().begin, cursor.place().at, out);
     else

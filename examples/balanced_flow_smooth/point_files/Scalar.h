@@ -26,6 +26,12 @@ std::optional<Scalar> find_scalar(const std::string& name);
 
 inline bool is_integer(Scalar type) { return type != Scalar::FLOAT && type != Scalar::DOUBLE; }
 
+inline bool is_unsigned(Scalar type)
+{
+  return type == Scalar::UINT8 || type == Scalar::UINT16 || type == Scalar::UINT32 ||
+         type == Scalar::UINT64;
+}
+
 /// The number of an integer type that is the closest
 double round_to(Scalar type, double number);
 

@@ -26,7 +26,12 @@ Triple combine(const std::array<Triple, 3>& axes, const Triple& p)
   return sum;
 }
 
-bool is_origin(const Triple& p) { return p[0] == 0. && p[1] == 0. && p[2] == 0.; }
+bool is_finite(const Triple& p)
+{
+  return std::isfinite(p[0]) && std::isfinite(p[1]) && std::isfinite(p[2]);
+}
+
+bool is_none(const Triple& p) { return (p[0] == 0. && p[1] == 0. && p[2] == 0.) || !is_finite(p); }
 
 } // namespace
 
@@ -37,6 +42,8 @@ Scan_frame::Scan_frame(const std::array<Triple, 3>& axes, const Triple& translat
   const std::array<Triple, 3> normals = {cross(axes[1], axes[2]), cross(axes[2], axes[0]),
                                          cross(axes[0], axes[1])};
   const double determinant = dot(axes[0], normals[0]);
+  if (!is_finite(translation))
+    throw std::runtime_error("the transformation of a scan is not finite");
   if (!(std::isfinite(determinant) && determinant != 0.))
     throw std::runtime_error("the transformation of a scan has no inverse");
   for (std::size_t i = 0; i < 3; ++i)
@@ -44,9 +51,14 @@ Scan_frame::Scan_frame(const std::array<Triple, 3>& axes, const Triple& translat
       m_inverse[i][c] = normals[c][i] / determinant;
 }
 
+Scan_frame::Scan_frame(const Triple& position)
+    : Scan_frame({Triple{1., 0., 0.}, Triple{0., 1., 0.}, Triple{0., 0., 1.}}, {0., 0., 0.},
+                 position)
+{}
+
 Triple Scan_frame::to_shared(const Triple& p) const
 {
-  if (is_origin(p))
+  if (is_none(p))
     return p;
   Triple image = combine(m_axes, p);
   for (std::size_t c = 0; c < 3; ++c)
@@ -56,7 +68,7 @@ Triple Scan_frame::to_shared(const Triple& p) const
 
 Triple Scan_frame::to_own(const Triple& p) const
 {
-  if (is_origin(p))
+  if (is_none(p))
     return p;
   Triple moved = p;
   for (std::size_t c = 0; c < 3; ++c)

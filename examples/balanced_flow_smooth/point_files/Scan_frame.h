@@ -8,7 +8,7 @@
 namespace point_files {
 
 /// Where a scan is: its points are in coordinates of their own, which an affine map takes to those that
-/// all scans share. A point at the origin is none and stays there.
+/// all scans share. A point at the origin is none and stays there, as one that is not finite.
 class Scan_frame {
 public:
   typedef std::array<double, 3> Triple;
@@ -20,8 +20,11 @@ private:
 public:
   /// \param position of the scanner, in the shared coordinates; NaN if it is not known
   ///
-  /// Throws `std::runtime_error` if the map has no inverse.
+  /// Throws `std::runtime_error` if the map has no inverse or is not finite.
   Scan_frame(const std::array<Triple, 3>& axes, const Triple& translation, const Triple& position);
+
+  /// The same of points that are in the shared coordinates
+  explicit Scan_frame(const Triple& position);
 
   const Triple& position() const { return m_position; }
 

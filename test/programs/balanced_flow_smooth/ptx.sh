@@ -57,6 +57,9 @@ for i, (a, b) in enumerate(zip(before, after)):
         assert all(abs(float(x) - y) < 2e-3 for x, y in zip(b, expected)), (i, b, expected)
 assert moved > 500 and next(smooth, None) is None"
 check "places without a point are counted" bash -c "'$program' -n two.ptx | grep -q '^points *712$' && '$program' -n two.ptx | grep -q '^invalid points *8, kept'"
+# not finite before or after the transformation; the latter are far away, so the noise is given
+sed '12s/^[^ ]* [^ ]*/nan 1.5/; 13s/^[^ ]*/inf/; 14s/^[^ ]*/1e308/; 7s/^[^ ]*/10/' two.ptx > odd.ptx
+check "points that are not finite keep their place and their bytes" bash -c "'$program' odd.ptx out.ptx -q --noise 0.02 && cmp <(sed -n '12,14p' odd.ptx) <(sed -n '12,14p' out.ptx) && '$program' odd.ptx same.ptx -q --iterations 0 && cmp odd.ptx same.ptx"
 check "and refused on request" fails_with 2 "points[0] is (0, 0, 0), which counts as invalid" "$program" two.ptx no.ptx --invalid error
 check "a grid drops no points" fails_with 2 "no points can be dropped: each scan is a grid of points" "$program" two.ptx no.ptx --invalid drop
 check "other formats get the shared coordinates" python3 -c "
@@ -72,10 +75,12 @@ check "PTX comes from PTX" fails_with 2 "PTX is written from PTX only" "$program
 head -300 two.ptx > short.ptx
 head -375 two.ptx > head.ptx
 sed '3s/$/ 7/' two.ptx > four.ptx
+sed '10s/^[^ ]*/1e999/' two.ptx > infinite.ptx
 sed '7,9s/.*/0 0 0 0/' two.ptx > flat.ptx
 check "a scan that is not complete" fails_with 2 "the file ends after 290 of 360 points of scan 1" "$program" short.ptx no.ptx
 check "a header that is not complete" fails_with 2 "the file ends in the header of a scan" "$program" head.ptx no.ptx
 check "a header with other lines" fails_with 2 "line 3: the header of a PTX scan has 3 numbers here, not 4" "$program" four.ptx no.ptx
+check "a transformation that is not finite" fails_with 2 "the transformation of a scan is not finite" "$program" infinite.ptx no.ptx
 check "a transformation without inverse" fails_with 2 "the transformation of a scan has no inverse" "$program" flat.ptx no.ptx
 check "failed runs leave no file" bash -c '! ls no.* *.part 2> /dev/null'
 echo "all checks passed"

@@ -13,7 +13,7 @@ vcpkg_check_features(OUT_FEATURE_OPTIONS feature_options FEATURES
 set(VCPKG_BUILD_TYPE release) # headers, and a program
 vcpkg_cmake_configure(SOURCE_PATH "${SOURCE_PATH}"
   OPTIONS ${feature_options} -DPOINT_SET_FLOW_BUILD_TESTS=OFF -DPOINT_SET_FLOW_BUILD_EXAMPLES=OFF
-          -DPOINT_SET_FLOW_CONFIG_DIR=share/PointSetFlow)
+          -DPOINT_SET_FLOW_WITH_LZF=OFF -DPOINT_SET_FLOW_CONFIG_DIR=share/PointSetFlow)
 vcpkg_cmake_install()
 vcpkg_cmake_config_fixup(PACKAGE_NAME PointSetFlow)
 vcpkg_fixup_pkgconfig()

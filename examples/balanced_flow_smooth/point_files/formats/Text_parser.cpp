@@ -68,7 +68,7 @@ void Text_parser::begin_block(const Line_reader& lines, const Field& word)
   m_announcement = lines.place().line;
   if (m_file.blocks.back().count != 0)
     m_file.blocks.emplace_back();
-  m_file.blocks.back() = {lines.place(), 0, word};
+  m_file.blocks.back() = {lines.place(), 0, {word}};
 }
 
 void Text_parser::end_block() const
@@ -128,7 +128,7 @@ void Text_parser::set_layout(Default_names default_names_of)
 void Text_parser::set_normals_header()
 {
   const std::size_t last = m_file.layout.last_coordinate();
-  auto& [place, text] = m_file.normals_header;
+  auto& [place, text] = m_file.normals_header.emplace_back();
   const bool has_names = last < m_head.name_fields.size();
   const char separator = has_names ? m_head.name_separator : m_head.separator;
   for (const char* name : {"nx", "ny", "nz"})

@@ -7,7 +7,7 @@ const std::vector<Format>& all_formats()
 {
   static const std::vector<Format> table = {
       ply_format(), xyz_format(), csv_format(), pts_format(), pwn_format(),
-      ptx_format(), off_format(), las_format(), laz_format(),
+      ptx_format(), off_format(), pcd_format(), las_format(), laz_format(),
   };
   return table;
 }

@@ -16,6 +16,7 @@ Format pts_format();
 Format pwn_format();
 Format ptx_format();
 Format off_format();
+Format pcd_format();
 Format las_format();
 Format laz_format(); // with las_format()
 

@@ -41,7 +41,7 @@ Anatomy parse(std::string bytes)
     lines.fail("this is not an OFF file, or not one of points with three coordinates");
   if (words.size() > 1 && lines.text(words[1]) == "BINARY")
     lines.fail("binary OFF is not supported");
-  file.normals_header = {words[0].end - 3, "N"};
+  file.normals_header = {{words[0].end - 3, "N"}};
   words.erase(words.begin());
   if (words.empty()) { // the counts stand on their own line
     if (!lines.next(line))
@@ -57,7 +57,7 @@ Anatomy parse(std::string bytes)
                  (i == 0 ? " points" : " faces"));
     counts[i] = std::size_t(count);
   }
-  file.blocks = {{lines.place(), counts[0], count_field}};
+  file.blocks = {{lines.place(), counts[0], {count_field}}};
 
   std::size_t width = 0;
   for (std::size_t i = 0; i < counts[0]; ++i) {

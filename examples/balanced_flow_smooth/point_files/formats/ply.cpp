@@ -67,7 +67,7 @@ void take_points(const Ply_element& element, const std::string& end_of_line, con
   const std::vector<Property>& properties = element.properties;
   file.layout = Layout(properties);
   file.layout_source = "the names of the properties";
-  file.blocks = {{place, element.count, element.count_field}};
+  file.blocks = {{place, element.count, {element.count_field}}};
   for (const Property& property : properties)
     if (property.count_type)
       file.losses.push_back("the lists " + property.name);
@@ -75,10 +75,10 @@ void take_points(const Ply_element& element, const std::string& end_of_line, con
   const std::string type = name_of(file.layout.normal_type());
   const auto is_taken = [](const Property& p) { return role_of(p.name)[0] == 'n'; };
   const bool is_any_taken = std::any_of(properties.begin(), properties.end(), is_taken);
-  file.normals_header.first = element.property_ends[file.layout.last_coordinate()];
+  std::string lines;
   for (const char axis : {'x', 'y', 'z'})
-    file.normals_header.second +=
-        "property " + type + (is_any_taken ? " normal_" : " n") + axis + end_of_line;
+    lines += "property " + type + (is_any_taken ? " normal_" : " n") + axis + end_of_line;
+  file.normals_header = {{element.property_ends[file.layout.last_coordinate()], lines}};
 }
 
 Anatomy parse(std::string bytes)
