@@ -57,7 +57,7 @@ bool try_bytes(const std::string& bytes, const Format* format)
   for (const Point_3& p : file->points)
     require(std::isfinite(p.x()) && std::isfinite(p.y()) && std::isfinite(p.z()),
             "all points are finite");
-  if (bytes.size() % 2 == 1 && file->format->has_normals)
+  if (bytes.size() % 2 == 1 && file->format->adds_normals)
     file->add_normals();
   for (const Format& to : all_formats()) {
     if (!to.library.empty()) // no writer of ours
