@@ -8,7 +8,7 @@
 #include <numeric>
 #include <random>
 
-namespace two_sheets {
+namespace layers {
 
 namespace {
 
@@ -98,4 +98,4 @@ double deviation(const Scan& scan, const Points& result)
   return std::sqrt(.5 * (scan.mean(result, true, squared) + scan.mean(result, false, squared)));
 }
 
-} // namespace two_sheets
+} // namespace layers

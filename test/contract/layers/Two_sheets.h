@@ -8,7 +8,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace two_sheets {
+namespace layers {
 
 using shapes::Points;
 typedef std::vector<shapes::Vector_3> Normals;
@@ -57,6 +57,6 @@ double approach(const Scan& scan, const Points& result, double separation);
 /// The rms distance of the points from where they should be
 double deviation(const Scan& scan, const Points& result);
 
-} // namespace two_sheets
+} // namespace layers
 
 #endif // POINT_SET_FLOW_TEST_LAYERS_TWO_SHEETS_H

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <random>
 
-using namespace two_sheets;
+using namespace layers;
 using shapes::Points;
 
 namespace {

@@ -12,7 +12,7 @@
 #include <random>
 #include <vector>
 
-using namespace two_sheets;
+using namespace layers;
 using shapes::Points;
 
 namespace {

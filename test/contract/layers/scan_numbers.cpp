@@ -18,7 +18,7 @@
 
 namespace np = CGAL::parameters;
 using namespace CGAL::Point_set_flow;
-using namespace two_sheets;
+using namespace layers;
 using shapes::Points;
 typedef CGAL::Sequential_tag Sequential;
 
