@@ -133,9 +133,9 @@ check "the last file can not be replaced" test $? = 2
 check "which is told" grep -q "cannot write .*two.xyz: this is not a regular file" failed.log
 check "the others are as they were" bash -c "[ \"\$(cat out/first.xyz)\" = old ] && [ ! -e out/one.xyz ] && [ -e out/two.xyz/file ] && [ \$(ls -A out | wc -l) = 2 ]"
 
-awk 'BEGIN { srand(1); for (i = 0; i < 200000; ++i) print rand(), rand(), rand() / 100 }' > large.xyz
+awk 'BEGIN { srand(1); for (i = 0; i < 50000; ++i) print rand(), rand(), rand() / 100 }' > large.xyz
 rm -rf out && mkdir out && cp large.xyz out/a.xyz && sed 's/$/ 1/' large.xyz > out/b.xyz && cp -r out kept
-(trap - INT; exec "$program" --together -i out/a.xyz out/b.xyz --json=report.json --iterations 1000 2> interrupted.log) &
+(trap - INT; exec "$program" --together -i out/a.xyz out/b.xyz --json=report.json --iterations 100000 2> interrupted.log) &
 pid=$!
 sleep 4
 kill -INT $pid

@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The numbers of scans tell which layers are registration error.
-#include <boost/test/unit_test.hpp>
+#ifndef POINT_SET_FLOW_TEST_LAYERS_SCAN_NUMBERS_H
+#define POINT_SET_FLOW_TEST_LAYERS_SCAN_NUMBERS_H
 
-#include "Two_sheets.h"
+#include "layers_two_sheets.h"
+
+#include <boost/test/unit_test.hpp>
 
 #include <CGAL/Point_set_3.h>
 #include <CGAL/Point_set_flow/analyze_point_set.h>
-#include <CGAL/balanced_flow_smooth_point_set.h>
 
 #include <algorithm>
 #include <cmath>
@@ -16,11 +18,10 @@
 #include <stdexcept>
 #include <vector>
 
-namespace np = CGAL::parameters;
-using namespace CGAL::Point_set_flow;
-using namespace layers;
-using shapes::Points;
-typedef CGAL::Sequential_tag Sequential;
+namespace layers {
+
+using CGAL::Point_set_flow::analyze_point_set;
+using CGAL::Point_set_flow::Smoothing_report;
 
 BOOST_AUTO_TEST_CASE(numbers_of_scans_of_any_integer_type_are_read)
 {
@@ -77,8 +78,6 @@ BOOST_AUTO_TEST_CASE(constant_point_sets_with_normals_are_analyzed)
                     std::invalid_argument);
 }
 
-namespace {
-
 /// The same ground scanned twice, with a registration error of .4 and noise of .05 of the spacing
 struct Two_scans {
   Points points;
@@ -111,8 +110,6 @@ struct Two_scans {
   }
 };
 
-} // namespace
-
 BOOST_AUTO_TEST_CASE(layers_of_different_scans_come_together)
 {
   const Two_scans scans;
@@ -124,3 +121,7 @@ BOOST_AUTO_TEST_CASE(layers_of_different_scans_come_together)
   BOOST_TEST(known < .5 * unknown_scans);
   BOOST_TEST(scans.deviation_with(shuffled) == unknown_scans, boost::test_tools::tolerance(.1));
 }
+
+} // namespace layers
+
+#endif // POINT_SET_FLOW_TEST_LAYERS_SCAN_NUMBERS_H

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Given normals tell which layers are two sheets, and which are one surface scanned twice.
-#define BOOST_TEST_MODULE layers
-#include <boost/test/unit_test.hpp>
+#ifndef POINT_SET_FLOW_TEST_LAYERS_GIVEN_NORMALS_H
+#define POINT_SET_FLOW_TEST_LAYERS_GIVEN_NORMALS_H
 
-#include "Two_sheets.h"
+#include "layers_two_sheets.h"
+
+#include <boost/test/unit_test.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -12,13 +14,10 @@
 #include <random>
 #include <vector>
 
-using namespace layers;
-using shapes::Points;
-
-namespace {
+namespace layers {
 
 /// Not accurate, and not of unit length
-Normals disturbed(Normals normals)
+inline Normals disturbed(Normals normals)
 {
   std::mt19937 random(8);
   std::normal_distribution<double> gauss(0., .3);
@@ -27,8 +26,6 @@ Normals disturbed(Normals normals)
         std::exp(10. * gauss(random));
   return normals;
 }
-
-} // namespace
 
 BOOST_AUTO_TEST_CASE(sheets_with_opposite_normals_stay_apart)
 {
@@ -129,7 +126,7 @@ BOOST_AUTO_TEST_CASE(results_do_not_depend_on_order_threads_and_blocks)
   const Points expected = scan.smoothed(scan.normals);
   for (const unsigned int block_size : {1000u, 3000u})
     BOOST_TEST((scan.smoothed(scan.normals, block_size) == expected));
-  BOOST_TEST((scan.smoothed_in_parallel(scan.normals) == expected));
+  BOOST_TEST((scan.smoothed<CGAL::Parallel_if_available_tag>(scan.normals) == expected));
   BOOST_TEST((scan.smoothed(turned(scan.normals)) == expected));
 
   std::vector<std::size_t> order(scan.size());
@@ -144,3 +141,7 @@ BOOST_AUTO_TEST_CASE(results_do_not_depend_on_order_threads_and_blocks)
   for (std::size_t i = 0; i < order.size(); ++i)
     BOOST_REQUIRE((result[i] == expected[order[i]]));
 }
+
+} // namespace layers
+
+#endif // POINT_SET_FLOW_TEST_LAYERS_GIVEN_NORMALS_H

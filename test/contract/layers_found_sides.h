@@ -1,22 +1,20 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Where no normals tell the sides of two sheets, they are found.
-#include <boost/test/unit_test.hpp>
+#ifndef POINT_SET_FLOW_TEST_LAYERS_FOUND_SIDES_H
+#define POINT_SET_FLOW_TEST_LAYERS_FOUND_SIDES_H
 
-#include "Two_sheets.h"
+#include "layers_two_sheets.h"
+
+#include <boost/test/unit_test.hpp>
 
 #include <cmath>
 #include <random>
 
-using namespace layers;
-using shapes::Points;
-
-namespace {
+namespace layers {
 
 const double strong = 2. * sigma;
 
-Scan noisy_wall(unsigned int seed) { return two_sheets(5. * strong, -1., seed, strong); }
-
-} // namespace
+inline Scan noisy_wall(unsigned int seed) { return two_sheets(5. * strong, -1., seed, strong); }
 
 BOOST_AUTO_TEST_CASE(sheets_are_told_apart_without_normals)
 {
@@ -61,3 +59,7 @@ BOOST_AUTO_TEST_CASE(sides_that_are_found_do_not_depend_on_blocks)
   for (const unsigned int block_size : {1000u, 3000u})
     BOOST_TEST((scan.smoothed(Normals(scan.size(), unknown), block_size) == expected));
 }
+
+} // namespace layers
+
+#endif // POINT_SET_FLOW_TEST_LAYERS_FOUND_SIDES_H
