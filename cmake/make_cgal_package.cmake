@@ -112,7 +112,8 @@ write_programs(Examples examples ${examples})
 # all tests that need nothing but the headers of the package and of the tests
 set(tests test_named_parameters)
 copy_source(cmake/cgal_package/test_named_parameters.cpp test/Point_set_flow/test_named_parameters.cpp)
-file(GLOB test_files RELATIVE ${root} ${root}/test/unit/*.cpp ${root}/test/contract/*.cpp ${root}/test/support/*.h)
+file(GLOB test_files RELATIVE ${root} ${root}/test/unit/*.cpp ${root}/test/contract/*.cpp ${root}/test/contract/*.h
+  ${root}/test/support/*.h)
 foreach(file IN LISTS test_files)
   get_filename_component(name ${file} NAME) # their tests are all in one folder
   copy_source(${file} test/Point_set_flow/${name})

@@ -15,22 +15,6 @@ work=$(cd "$work" && pwd)
 newest_clang=$(apt-cache search --names-only '^clang-[0-9]+$' | sed 's/ .*//' | sort -t- -k2n | tail -n 1)
 sh cmake/install_packages.sh g++ clang "$newest_clang" libcgal-dev libeigen3-dev libtbb-dev libboost-test-dev
 
-unpack_cgal() { # suite
-  [ ! -e "$work/$1/usr/include/CGAL/version.h" ] || return 0
-  mirror=$(apt-cache policy libcgal-dev | awk '$2 ~ /^https?:/ { print $2; exit }')
-  mkdir -p "$work/$1/lists/partial" "$work/$1/cache/archives/partial"
-  echo "deb [signed-by=/usr/share/keyrings/debian-archive-keyring.gpg] $mirror $1 main" > "$work/$1/sources.list"
-  (
-    cd "$work/$1"
-    set -- -o "Dir::Etc::sourcelist=$PWD/sources.list" -o Dir::Etc::sourceparts=- -o "Dir::State::lists=$PWD/lists" \
-      -o "Dir::Cache=$PWD/cache" -o APT::Sandbox::User=root
-    apt-get "$@" -qq update
-    apt-get "$@" -qq download libcgal-dev
-    dpkg -x libcgal-dev_*.deb .
-    rm -r libcgal-dev_*.deb lists cache
-  )
-}
-
 include_cgal() { # suite
   [ "$1" = installed ] || echo "-isystem $work/$1/usr/include"
 }
@@ -74,7 +58,7 @@ runs() { # name, command ...: whether what the command makes runs
   "$@" -o "$program" -ltbb -pthread && "$program"
 }
 
-for suite in trixie sid; do unpack_cgal $suite; done
+for suite in trixie sid; do sh test/unpack_packages.sh "$work/$suite" $suite libcgal-dev; done
 rm -f "$work/failed"
 
 printf '| compiler | CGAL | Debug, TBB, run | Release, TBB | Debug | Release | -ffast-math is refused | no Eigen is refused |'

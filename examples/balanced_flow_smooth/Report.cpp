@@ -1,14 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Report.h"
 
-#include "command_line/Manual.h"
-
-#include <nlohmann/json.hpp>
-
-#include <fstream>
-#include <iostream>
 #include <sstream>
-#include <stdexcept>
 
 namespace balanced_flow_smooth {
 
@@ -76,106 +69,64 @@ std::string roles_to_text(const File_report& r)
   return text;
 }
 
-nlohmann::ordered_json to_json(const File_report& r, const Settings& settings)
+/// What the file is, as far as it says so itself
+void print_file(std::ostream& out, const File_report& r, bool with_name)
 {
-  const Smoothing_settings& s = settings.smoothing;
-  nlohmann::ordered_json json;
-  json["input"] = r.job.input.string();
-  if (!settings.dry_run)
-    json["output"] = r.job.output.string();
-  json["status"] = r.status;
-  if (!r.message.empty())
-    json["message"] = r.message;
-  if (!r.warnings.empty())
-    json["warnings"] = r.warnings;
-  if (!r.format.empty())
-    json["format"] = r.format;
-  if (!r.output_format.empty())
-    json["output_format"] = r.output_format;
-  if (r.points != 0) {
-    json["points"] = r.points;
-    json["invalid_points"] = r.invalid_points;
-    json["normals"] = r.normals;
-    json["unknown_normals"] = r.unknown_normals;
-    for (const auto& [role, column] : r.roles)
-      json["columns"][role] = column;
-    if (!r.roles.empty())
-      json["columns_source"] = r.roles_source;
-  }
-  if (r.smoothing) {
-    json["spacing"] = r.smoothing->spacing;
-    json["noise"] = r.smoothing->noise;
-    nlohmann::ordered_json& parameters = json["parameters"];
-    parameters["flow"] = s.flow;
-    parameters["curvature"] = s.curvature;
-    parameters["noise"] = nullptr; // estimated
-    if (s.noise)
-      parameters["noise"] = *s.noise;
-    parameters["neighbors"] = {{"fewest", r.smoothing->fewest_neighbors},
-                               {"most", r.smoothing->most_neighbors}};
-    parameters["neighbor_radius"] = s.neighbor_radius;
-    parameters["iterations"] = s.iterations;
-    parameters["sharpness_angle"] = s.sharpness_angle;
-    parameters["feature_threshold"] = r.smoothing->feature_threshold;
-    parameters["filter_width"] = r.smoothing->filter_width;
-    parameters["step_length"] = s.step_length;
-    parameters["update_period"] = s.update_period;
-  }
-  if (r.smoothing && !settings.dry_run) {
-    json["mean_movement"] = r.smoothing->mean_movement;
-    json["last_movement"] = r.smoothing->last_movement;
-    json["moved"] = r.smoothing->number_of_moved_points;
-    json["not_moved"] = {{"without_noise", r.smoothing->number_of_points_without_noise},
-                         {"too_few_neighbors", r.smoothing->number_of_isolated_points},
-                         {"constrained", r.smoothing->number_of_constrained_points},
-                         {"at_rest", r.smoothing->number_of_points_at_rest}};
-  }
-  json["seconds"] = r.seconds;
-  return json;
-}
-
-void print_json(std::ostream& out, const std::vector<File_report>& reports,
-                const Settings& settings)
-{
-  nlohmann::ordered_json json;
-  json["program"] = program_name;
-  json["version"] = POINT_SET_FLOW_VERSION;
-  json["dry_run"] = settings.dry_run;
-  json["files"] = nlohmann::ordered_json::array();
-  for (const File_report& report : reports)
-    json["files"].push_back(to_json(report, settings));
-  // names of files may be any bytes
-  out << json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) << std::endl;
-}
-
-} // namespace
-
-void print_summary(std::ostream& out, const File_report& r, const Settings& settings)
-{
-  const Smoothing_settings& s = settings.smoothing;
-  const bool is_dry_run = settings.dry_run;
-  if (settings.jobs.size() > 1)
+  if (with_name)
     out << r.job.input.string() << "\n";
   out << "points            " << r.points << "\n";
+  if (r.scans > 1)
+    out << "scans             " << r.scans << "\n";
   if (r.invalid_points != 0)
     out << "invalid points    " << r.invalid_points
         << (r.drops_invalid ? ", dropped" : ", kept as they are") << "\n";
   if (!r.roles.empty())
     out << "columns           " << roles_to_text(r) << "\n";
+  if (r.movement)
+    out << "moved             " << share_to_text(r.movement->number_of_points, r.points)
+        << " of the points\nmean movement     " << r.movement->mean << "\n";
+}
+
+void print_movement(std::ostream& out, const Smoothing_report& r, const Smoothing_settings& s)
+{
+  out << "moved             " << movement_to_text(r, s.makes_steps()) << "\n";
+  const std::string hint = advice(r, s);
+  if (!hint.empty())
+    out << "hint              " << hint << "\n";
+  out << "mean movement     " << r.mean_movement << " (last iteration: " << r.last_movement
+      << ")\n";
+}
+
+} // namespace
+
+std::size_t Scene_report::sum(std::size_t File_report::*number) const
+{
+  std::size_t sum = 0;
+  for (const File_report& file : files)
+    sum += file.*number;
+  return sum;
+}
+
+void print_summary(std::ostream& out, const Scene_report& r, const Settings& settings)
+{
+  const Smoothing_settings& s = settings.smoothing;
+  for (const File_report& file : r.files)
+    print_file(out, file, settings.jobs.size() > 1);
+  if (settings.together)
+    out << "together\n"
+        << "points            " << r.sum(&File_report::points) << "\n"
+        << "scans             " << r.sum(&File_report::scans) << "\n";
+  if (r.sided_points)
+    out << "sides             of " << share_to_text(*r.sided_points, r.sum(&File_report::points))
+        << " of the points by the scanner\n";
   out << "spacing           " << r.smoothing->spacing << "\n"
       << (s.noise ? "given noise       " : "estimated noise   ") << r.smoothing->noise << "\n"
       << "neighbors         " << neighbors_to_text(*r.smoothing)
       << (s.k || s.is_paper_estimator() ? "" : " (fewer where two sheets are close)") << "\n"
       << "iterations        " << s.iterations
       << (s.is_paper_estimator() ? "" : " at most, until nothing moves") << "\n";
-  if (!is_dry_run) {
-    out << "moved             " << movement_to_text(*r.smoothing, s.makes_steps()) << "\n";
-    const std::string hint = advice(*r.smoothing, s);
-    if (!hint.empty())
-      out << "hint              " << hint << "\n";
-    out << "mean movement     " << r.smoothing->mean_movement
-        << " (last iteration: " << r.smoothing->last_movement << ")\n";
-  }
+  if (!settings.dry_run)
+    print_movement(out, *r.smoothing, s);
   else
     out << "flow              " << s.flow << ", with the estimator " << s.curvature << "\n"
         << "step length       " << s.step_length << "\n"
@@ -183,16 +134,6 @@ void print_summary(std::ostream& out, const File_report& r, const Settings& sett
         << "filter width      " << r.smoothing->filter_width << "\n"
         << "feature threshold " << r.smoothing->feature_threshold << "\n";
   out << "seconds           " << r.seconds << std::endl;
-}
-
-void write_json(const std::vector<File_report>& reports, const Settings& settings)
-{
-  if (settings.report == "-")
-    return print_json(std::cout, reports, settings);
-  std::ofstream out(settings.report);
-  print_json(out, reports, settings);
-  if (!out.flush())
-    throw std::runtime_error("cannot write " + settings.report + ": writing failed");
 }
 
 } // namespace balanced_flow_smooth

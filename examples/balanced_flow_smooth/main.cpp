@@ -1,32 +1,23 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Smooths the points of files and keeps everything else in them.
 #include "Interrupt.h"
-#include "Progress_bar.h"
 #include "Report.h"
 #include "command_line/Command_line.h"
 #include "command_line/Manual.h"
 #include "command_line/print_completion.h"
 #include "command_line/print_manual.h"
-#include "point_files/invalid_points.h"
-#include "point_files/point_file_io.h"
+#include "run.h"
 #include "smooth.h"
-
-#include <CGAL/Real_timer.h>
 
 #ifdef CGAL_LINKED_WITH_TBB
 #include <tbb/global_control.h>
 #endif
 
-#include <unistd.h>
-
-#include <algorithm>
-#include <cstddef>
-#include <filesystem>
 #include <iostream>
-#include <memory>
 #include <new>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 using namespace balanced_flow_smooth;
@@ -37,80 +28,47 @@ enum Exit_code { SUCCESS = 0, BAD_USAGE = 1, BAD_FILE = 2, SIGNALLED = 128 };
 
 void complain(const std::string& what) { std::cerr << program_name << ": " << what << std::endl; }
 
-std::unique_ptr<point_files::Point_file> read(const std::filesystem::path& input,
-                                              const Settings& settings)
+/// The jobs that are smoothed as one: each alone, or all
+std::vector<Scene_report> scenes_of(const Settings& settings)
 {
-  const Nothing_at_stake nothing_at_stake;
-  return point_files::read_point_file(
-      input, settings.input_format,
-      {settings.normals, settings.columns, settings.invalid, settings.zeros_are_invalid});
+  std::vector<Scene_report> scenes;
+  for (const Job& job : settings.jobs) {
+    if (scenes.empty() || !settings.together)
+      scenes.emplace_back();
+    scenes.back().files.emplace_back().job = job;
+  }
+  return scenes;
 }
 
-/// Smooths one file.
-/// \return whether it is done: it is not after Ctrl-C
-bool run(const Settings& settings, File_report& report)
+/// Tells why the files of a scene are not written.
+void set_status(Scene_report& scene, const char* status, const std::string& message = "")
 {
-  const auto& [input, output, keeps_format] = report.job;
-  const point_files::Format* output_format = settings.output_format;
-  if (!output_format && !keeps_format)
-    output_format = &point_files::format_of(output);
-  if (!settings.dry_run)
-    point_files::check_output(output, output_format);
-  const std::unique_ptr<point_files::Point_file> file = read(input, settings);
-  if (!output_format)
-    output_format = file->format;
-  report.format = file->format->name;
-  report.output_format = output_format->name;
-  report.points = file->points.size() - file->invalid.size();
-  report.invalid_points = file->invalid.size();
-  report.drops_invalid = file->drops_invalid;
-  report.normals = settings.normals || !file->normals.empty();
-  report.unknown_normals = std::size_t(std::count_if(file->normals.begin(), file->normals.end(),
-                                                     [](const auto& n) { return !is_known(n); }));
-  report.roles = file->roles;
-  report.roles_source = file->roles_source;
+  for (File_report& file : scene.files) {
+    file.status = status;
+    file.message = message;
+    file.movement.reset();
+  }
+}
 
-  if (settings.normals)
-    file->add_normals(settings.smoothing.makes_steps());
-
-  point_files::Set_aside invalid_points(*file);
-  CGAL::Real_timer timer;
-  timer.start();
-  const Progress_bar progress(!settings.quiet && isatty(STDERR_FILENO));
-  Smoothing_report smoothing;
-  if (settings.dry_run)
-    smoothing = analyze(file->points, settings.smoothing, progress);
-  else
-    smooth(file->points, file->normals.empty() ? file->sides : file->normals, settings.smoothing,
-           progress, smoothing);
-  if (interrupt != 0)
-    return false;
-  invalid_points.put_back();
-  report.smoothing = smoothing;
-  if (!settings.dry_run)
-    point_files::warn_of_losses(*file, *output_format);
-  report.warnings = file->warnings;
-  if (!settings.quiet)
-    for (const std::string& warning : report.warnings)
-      std::cerr << "warning: " << warning << std::endl;
-  if (!settings.dry_run &&
-      !point_files::write_point_file(output, *file, *output_format, [] { return interrupt != 0; }))
-    return false;
-  report.seconds = timer.time();
-  return true;
+std::string message_of(const std::exception& e, const Scene_report& scene)
+{
+  std::string message = e.what();
+  if (dynamic_cast<const std::bad_alloc*>(&e))
+    message = scene.files.front().job.input.string() +
+              (scene.files.size() > 1 ? " and the others" : "") + ": not enough memory";
+  return message + (scene.files.size() > 1 ? " (so none of the files is written)" : "");
 }
 
 /// Smooths all files, as far as it goes.
 int run_all(const Settings& settings)
 {
   int code = SUCCESS;
-  std::vector<File_report> reports;
-  for (const Job& job : settings.jobs) {
-    File_report& report = reports.emplace_back();
-    report.job = job;
+  std::vector<Scene_report> reports;
+  for (Scene_report& scene : scenes_of(settings)) {
+    Scene_report& report = reports.emplace_back(std::move(scene));
     try {
       if (!run(settings, report)) {
-        report.status = "interrupted";
+        set_status(report, "interrupted");
         std::cerr << "\ninterrupted, nothing written" << std::endl;
         code = SIGNALLED + interrupt;
         break;
@@ -120,11 +78,8 @@ int run_all(const Settings& settings)
                       settings);
     }
     catch (const std::exception& e) {
-      report.status = "failed";
-      report.message = dynamic_cast<const std::bad_alloc*>(&e)
-                           ? job.input.string() + ": not enough memory"
-                           : std::string(e.what());
-      complain(report.message);
+      set_status(report, "failed", message_of(e, report));
+      complain(report.files.front().message);
       code = BAD_FILE;
     }
   }

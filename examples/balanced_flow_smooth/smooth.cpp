@@ -10,15 +10,15 @@
 
 #include <boost/iterator/counting_iterator.hpp>
 
-#include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <string>
-#include <utility>
+#include <type_traits>
+#include <vector>
 
 namespace balanced_flow_smooth {
 
 namespace flows = CGAL::Point_set_flow;
-using point_files::Point_3;
 using point_files::Vector_3;
 
 namespace {
@@ -40,13 +40,15 @@ flows::Any_flow find_flow(const std::string& name)
 }
 
 /// A property map of normals that may not be there: it is false as a condition then.
+/// \tparam Normals_reference to a vector, which may be constant
+template <typename Normals_reference>
 struct Optional_normal_map {
   typedef std::size_t key_type;
   typedef Vector_3 value_type;
   typedef const Vector_3& reference;
   typedef boost::lvalue_property_map_tag category;
 
-  std::vector<Vector_3>* normals;
+  std::remove_reference_t<Normals_reference>* normals;
 
   explicit operator bool() const { return !normals->empty(); }
   friend reference get(const Optional_normal_map& map, std::size_t i) { return (*map.normals)[i]; }
@@ -56,24 +58,23 @@ struct Optional_normal_map {
   }
 };
 
-/// Some of the normals as they were
-class Kept_normals {
-  std::vector<std::pair<std::size_t, Vector_3>> m_kept;
+/// The number of the scan of each point; 0 if all are of one.
+struct Scan_map {
+  typedef std::size_t key_type;
+  typedef std::uint32_t value_type;
+  typedef std::uint32_t reference;
+  typedef boost::readable_property_map_tag category;
 
-public:
-  Kept_normals(const std::vector<Vector_3>& normals, const Smoothing_settings& s)
-  {
-    for (std::size_t i = 0; i < normals.size(); ++i)
-      if (is_known(normals[i]) ? !s.makes_steps() : !s.fills_normals)
-        m_kept.emplace_back(i, normals[i]);
-  }
+  const std::vector<std::uint32_t>* scans;
 
-  void restore(std::vector<Vector_3>& normals) const
+  friend std::uint32_t get(const Scan_map& map, std::size_t i)
   {
-    for (const auto& [i, normal] : m_kept)
-      normals[i] = normal;
+    return map.scans->empty() ? 0 : (*map.scans)[i];
   }
 };
+
+typedef boost::counting_iterator<std::size_t> Index;
+typedef CGAL::Iterator_range<Index> Indices;
 
 /// Calls `run` with the named parameters that the settings stand for.
 template <typename Run>
@@ -100,60 +101,50 @@ auto with_parameters(const Smoothing_settings& s, const Run& run)
   return with_numbers(CGAL::parameters::flow(find_flow(s.flow)));
 }
 
-/// Adds the named parameters of CGAL.
-template <typename Own>
-auto with_cgal(const Own& own, const Smoothing_settings& s,
-               const std::function<bool(double)>& callback)
+/// Adds those that do not depend on the settings, and those of CGAL.
+/// \tparam Any_cloud constant if it is not to be written
+template <typename Own, typename Any_cloud>
+auto with_cloud(const Own& own, Any_cloud& cloud, const Smoothing_settings& s,
+                const Callback& callback)
 {
-  return own.number_of_iterations(s.iterations)
+  return own.scan_map(Scan_map{&cloud.scans})
+      .number_of_iterations(s.iterations)
       .sharpness_angle(s.sharpness_angle)
       .neighbor_radius(s.neighbor_radius)
-      .callback(callback);
+      .callback(callback)
+      .point_map(CGAL::make_property_map(cloud.points))
+      .normal_map(Optional_normal_map<decltype((cloud.normals))>{&cloud.normals});
 }
 
 } // namespace
 
-bool is_known(const Vector_3& normal)
+void smooth(Cloud& cloud, const Index_range& range, const Smoothing_settings& s,
+            const Callback& callback, flows::Smoothing_report& report)
 {
-  const bool is_finite =
-      std::isfinite(normal.x()) && std::isfinite(normal.y()) && std::isfinite(normal.z());
-  return is_finite && normal != CGAL::NULL_VECTOR;
-}
-
-double smooth(std::vector<Point_3>& points, std::vector<Vector_3>& normals,
-              const Smoothing_settings& s, const std::function<bool(double)>& callback,
-              flows::Smoothing_report& report)
-{
-  typedef boost::counting_iterator<std::size_t> Index;
-  CGAL::Iterator_range<Index> range(Index(0), Index(points.size()));
-  const Kept_normals kept(normals, s);
-  const double movement = with_parameters(s, [&](const auto& own) {
-    const auto all = with_cgal(own.smoothing_report(std::ref(report)), s, callback)
-                         .point_map(CGAL::make_property_map(points))
-                         .normal_map(Optional_normal_map{&normals});
-    return s.k ? CGAL::balanced_flow_smooth_point_set<Concurrency_tag>(range, *s.k, all)
-               : CGAL::balanced_flow_smooth_point_set<Concurrency_tag>(range, all);
+  Indices indices(Index(range.begin), Index(range.end));
+  with_parameters(s, [&](const auto& own) {
+    const auto all = with_cloud(own.smoothing_report(std::ref(report)), cloud, s, callback);
+    return s.k ? CGAL::balanced_flow_smooth_point_set<Concurrency_tag>(indices, *s.k, all)
+               : CGAL::balanced_flow_smooth_point_set<Concurrency_tag>(indices, all);
   });
-  kept.restore(normals);
-  return movement;
 }
 
-flows::Smoothing_report analyze(const std::vector<Point_3>& points, const Smoothing_settings& s,
-                                const std::function<bool(double)>& callback)
+flows::Smoothing_report analyze(const Cloud& cloud, const Smoothing_settings& s,
+                                const Callback& callback)
 {
+  const Indices indices(Index(0), Index(cloud.points.size()));
   return with_parameters(s, [&](const auto& own) {
-    const auto all = with_cgal(own, s, callback);
-    return s.k ? flows::analyze_point_set<Concurrency_tag>(points, *s.k, all)
-               : flows::analyze_point_set<Concurrency_tag>(points, all);
+    const auto all = with_cloud(own, cloud, s, callback);
+    return s.k ? flows::analyze_point_set<Concurrency_tag>(indices, *s.k, all)
+               : flows::analyze_point_set<Concurrency_tag>(indices, all);
   });
 }
 
 void check(const Smoothing_settings& s)
 {
-  std::vector<Point_3> no_points;
-  std::vector<Vector_3> no_normals;
+  Cloud nothing;
   flows::Smoothing_report no_report;
-  smooth(no_points, no_normals, s, nullptr, no_report);
+  smooth(nothing, {0, 0}, s, nullptr, no_report);
 }
 
 } // namespace balanced_flow_smooth

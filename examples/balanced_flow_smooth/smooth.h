@@ -2,32 +2,32 @@
 #ifndef BALANCED_FLOW_SMOOTH_SMOOTH_H
 #define BALANCED_FLOW_SMOOTH_SMOOTH_H
 
+#include "Cloud.h"
 #include "command_line/Settings.h"
-#include "point_files/Point_file.h"
 
 #include <CGAL/Point_set_flow/Smoothing_report.h>
 
+#include <cstddef>
 #include <functional>
-#include <vector>
 
 namespace balanced_flow_smooth {
 
 typedef CGAL::Point_set_flow::Smoothing_report Smoothing_report;
+typedef std::function<bool(double)> Callback; // as those of the library
 
-/// Whether a normal is one: files mark those that are not known by null vectors or NaN.
-bool is_known(const point_files::Vector_3& normal);
+/// Which points of a cloud
+struct Index_range {
+  std::size_t begin, end;
+};
 
-/// Smooths points where they are; `NaN` if the callback says no. Normals that are not known, null
-/// vectors and those that are not finite, stay unless `s.fills_normals`; without a step all that are
-/// known stay.
+/// Smooths points where they are, and the normals if there are any, as if there were no others; nothing
+/// changes if the callback says no.
 /// \param report receives what was found, used and done
-double smooth(std::vector<point_files::Point_3>& points,
-              std::vector<point_files::Vector_3>& normals, const Smoothing_settings& s,
-              const std::function<bool(double)>& callback, Smoothing_report& report);
+void smooth(Cloud& cloud, const Index_range& range, const Smoothing_settings& s,
+            const Callback& callback, Smoothing_report& report);
 
 /// Finds out what `smooth()` will find and use.
-Smoothing_report analyze(const std::vector<point_files::Point_3>& points,
-                         const Smoothing_settings& s, const std::function<bool(double)>& callback);
+Smoothing_report analyze(const Cloud& cloud, const Smoothing_settings& s, const Callback& callback);
 
 /// Throws `std::invalid_argument` if the library refuses a parameter.
 void check(const Smoothing_settings& s);

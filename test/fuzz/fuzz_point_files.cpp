@@ -60,7 +60,7 @@ bool try_bytes(const std::string& bytes, const Format* format)
     require(std::isfinite(p.x()) && std::isfinite(p.y()) && std::isfinite(p.z()),
             "all points are finite");
   invalid_points.put_back();
-  if (bytes.size() % 2 == 1 && file->format->has_normals)
+  if (bytes.size() % 2 == 1 && file->format->adds_normals)
     file->add_normals();
   for (const Format& to : all_formats()) {
     if (!to.library.empty()) // no writer of ours

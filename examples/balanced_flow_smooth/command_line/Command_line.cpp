@@ -123,6 +123,12 @@ void Command_line::set_jobs()
     if (m_in_place && m_settings.output_format)
       throw Usage_error("a file keeps its format in place");
   }
+  else if (m_settings.together && m_settings.dry_run)
+    for (const std::string& file : m_files)
+      m_settings.jobs.push_back({file, "", true});
+  else if (m_settings.together)
+    throw Usage_error(
+        "--together needs --in-place or --output-dir, since each file is written back");
   else if (m_files.size() == 2)
     m_settings.jobs = {{m_files[0], m_files[1], m_files[1] == "-"}};
   else if (m_files.size() == 1 && m_settings.dry_run)

@@ -50,6 +50,8 @@ void Command_line::add_file_options(Option_group& group)
     ("in-place,i", options::bool_switch(&m_in_place), "replace each file by its smoothed points")
     ("output-dir,d", options::value(&m_output_directory)->value_name("DIR"),
      "write to files of the same names in DIR, which is not the directory of the input")
+    ("together", options::bool_switch(&m_settings.together),
+     "the files are scans of one scene, in the same coordinates: smooth them as one; all of them are written, or none")
     ("format", options::value(&m_format)->value_name("FORMAT"),
      ("the format of all inputs, whatever their names: " + alternatives(names_of_formats())).c_str())
     ("output-format", options::value(&m_output_format)->value_name("FORMAT"),

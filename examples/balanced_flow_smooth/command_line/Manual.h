@@ -18,9 +18,8 @@ constexpr const char* summary = "take the noise off 3D point sets";
 
 // what comes after the name of the program
 inline const std::vector<std::string> synopsis = {
-    "[OPTION]... INPUT OUTPUT",
-    "[OPTION]... --output-dir DIR INPUT...",
-    "[OPTION]... --in-place FILE...",
+    "[OPTION]... INPUT OUTPUT",       "[OPTION]... --output-dir DIR INPUT...",
+    "[OPTION]... --in-place FILE...", "[OPTION]... --together --in-place|--output-dir DIR FILE...",
     "[OPTION]... --dry-run FILE",
 };
 
@@ -37,6 +36,13 @@ inline const std::vector<std::string> description = {
     "surface already. With --json "
     "these are numbers of points: \"moved\", and in \"not_moved\" \"without_noise\", "
     "\"too_few_neighbors\", \"constrained\" and \"at_rest\". They add up to \"points\".",
+    "With --together the files are scans of one scene, which must be registered: they are smoothed "
+    "as one cloud in which each point knows its scan, so that layers of different scans come "
+    "together. Each is written back in its own format; all of them are written, or none. The "
+    "report "
+    "tells of each file how its points moved, and of all \"together\" the rest. "
+    "Normals, or the positions of scanners, keep the sides of walls apart that are in different "
+    "scans.",
     "No input is written over, by outputs or reports and under any of its names, unless --in-place "
     "or the same name as INPUT and OUTPUT asks for it. "
     "An output is written beside its place and moved there when it is complete and on the disk, "
@@ -52,12 +58,12 @@ inline const std::vector<std::pair<std::string, std::string>> formats = {
      "the number of the points that follow are kept."},
     {"csv", "the same; written with commas and a header."},
     {"pts", "the same; written with the number of points. Several scans, each with its number, "
-            "are smoothed as one."},
+            "are smoothed as with --together."},
     {"pwn", "also xyzn: the same; columns 4 to 6 are normals."},
     {"ptx",
      "scans as grids of points, with their headers; (0, 0, 0) is where the scanner saw nothing "
-     "and stays. All scans are smoothed as one, and the places of the scanners tell the sides "
-     "of surfaces."},
+     "and stays. All scans are smoothed as with --together, and the positions of the scanners tell "
+     "the sides of surfaces, as normals would. Normals can not be added."},
     {"pcd",
      "versions .5 to .7: ascii, binary and, if the program was built with liblzf, "
      "binary_compressed, with any fields. Organized clouds stay organized, and the position in "
@@ -96,7 +102,8 @@ inline const std::vector<std::string> on_formats = {
 inline const std::vector<std::pair<std::string, std::string>> exit_status = {
     {"0", "all files are written."},
     {"1", "the command line is wrong; nothing was done."},
-    {"2", "at least one file could not be read, smoothed or written; the others are written."},
+    {"2", "at least one file could not be read, smoothed or written; the others are written, with "
+          "--together none."},
     {"130, 143", "interrupted by Ctrl-C (SIGINT) or SIGTERM; the file at work is left as it was."},
 };
 
@@ -106,6 +113,8 @@ inline const std::vector<std::pair<std::string, std::string>> examples = {
      "Tell the spacing, the noise and what would be done."},
     {"balanced-flow-smooth --noise 0.003 scan.ply smoothed.ply",
      "Smooth a file whose noise is known: 3 mm, if the unit is 1 m."},
+    {"balanced-flow-smooth --together --output-dir smoothed a.ply b.las c.ptx",
+     "Smooth three scans of one scene as one cloud."},
     {"balanced-flow-smooth --in-place --json=report.json scans/*.ply",
      "Smooth many files where they are, with a report for programs."},
     {"zcat scan.ply.gz | balanced-flow-smooth - - | gzip > smoothed.ply.gz", "In a pipeline."},

@@ -44,6 +44,7 @@ struct Settings {
   bool zeros_are_invalid = false;
   std::string report; // the file of the JSON report, "-" for standard output, empty for none
   unsigned int threads = 0;
+  bool together = false; // whether the files are scans that are smoothed as one
   bool normals = false, quiet = false, dry_run = false;
 
   bool points_to_standard_output() const

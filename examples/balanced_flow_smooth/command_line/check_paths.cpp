@@ -97,8 +97,14 @@ void check_outputs(const Settings& settings, const File_set& inputs)
 void check_paths(const Settings& settings)
 {
   File_set inputs;
-  for (const Job& job : settings.jobs)
+  for (const Job& job : settings.jobs) {
+    const Path* first = inputs.find(job.input);
+    if (first && settings.together)
+      throw Usage_error(*first == job.input ? name_of(job.input) + " is given twice"
+                                            : name_of(*first) + " and " + name_of(job.input) +
+                                                  " are the same file, which can not be two scans");
     inputs.insert(job.input);
+  }
   check_outputs(settings, inputs);
 }
 

@@ -34,8 +34,7 @@ struct Format {
   std::string library;         // the optional one that it needs; empty if there is none
   std::string package;         // where that is found
   std::string columns_warning; // for files of other formats that have columns
-  bool has_normals = true;     // whether there is a place for them
-  bool keeps_normals = true;   // whether its own files can get normals
+  bool adds_normals = true;    // whether its own files can get normals
   bool has_columns = false;    // whether its files may be told the names of their columns
 
   /// Whether bytes look like a file of this format: those with its magic if it has one, those without

@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <cstdint>
 #include <filesystem>
 #include <functional>
 #include <ostream>
@@ -43,6 +44,8 @@ public:
   std::vector<Vector_3> normals; // empty if there are none
   /// vectors from the points to the scanner, null where it is not known; empty if it is for none
   std::vector<Vector_3> sides;
+  /// the number of the scan of each point, from 0 on; empty if all are of one
+  std::vector<std::uint32_t> scans;
   std::vector<std::string> warnings;
 
   /// what was taken for coordinates and normals: the numbers of columns or properties, from 1 on, and
@@ -82,13 +85,7 @@ public:
   }
 
   /// Makes room for normals if there are none.
-  /// \param with_sides whether they begin as the sides, if these are known
-  void add_normals(bool with_sides = false)
-  {
-    if (normals.empty() && with_sides)
-      normals = sides;
-    normals.resize(points.size(), CGAL::NULL_VECTOR);
-  }
+  void add_normals() { normals.resize(points.size(), CGAL::NULL_VECTOR); }
 
 protected:
   /// Reads the points, and the normals if there are any; throws `std::runtime_error` if there are no

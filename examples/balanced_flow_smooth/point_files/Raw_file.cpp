@@ -27,6 +27,7 @@ Raw_file::Raw_file(Anatomy file) : m_file(std::move(file))
   std::sort(m_changing.begin(), m_changing.end());
   load(count, m_file.layout.has_normals());
   find_sides();
+  number_scans();
   roles = m_file.layout.roles();
   roles_source = m_file.layout_source;
   for (const std::size_t p : m_file.layout.coordinates())
@@ -46,6 +47,20 @@ void Raw_file::find_sides()
         const Scan_frame::Triple& p = block.frame->position();
         sides[i] = Point_3(p[0], p[1], p[2]) - points[i];
       }
+  }
+}
+
+/// Blocks are scans.
+void Raw_file::number_scans()
+{
+  const auto is_empty = [](const Block& block) { return block.count == 0; };
+  const std::vector<Block>& blocks = m_file.blocks;
+  if (blocks.size() - std::size_t(std::count_if(blocks.begin(), blocks.end(), is_empty)) < 2)
+    return;
+  std::uint32_t number = 0;
+  for (const Block& block : blocks) {
+    scans.insert(scans.end(), block.count, number);
+    number += is_empty(block) ? 0 : 1;
   }
 }
 

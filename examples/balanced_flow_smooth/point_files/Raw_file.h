@@ -92,6 +92,7 @@ private:
   void drop_record(std::size_t begin, std::size_t end, Output& out) const;
   const Column_types& column_types() const;
   void find_sides();
+  void number_scans();
 };
 
 /// Goes through the records: `visit(cursor, fields, i, block, before)`, where there are `before` points

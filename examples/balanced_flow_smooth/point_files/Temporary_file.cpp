@@ -6,6 +6,7 @@
 #include <unistd.h>
 
 #include <cerrno>
+#include <cstdio>
 #include <random>
 #include <stdexcept>
 #include <string>
@@ -22,6 +23,18 @@ bool synchronize(const std::filesystem::path& path)
   if (file >= 0)
     ::close(file);
   return done;
+}
+
+/// Exchanges two files at once, so that both still exist.
+/// \return whether system and file system can do that
+bool exchange([[maybe_unused]] const std::filesystem::path& a,
+              [[maybe_unused]] const std::filesystem::path& b)
+{
+#ifdef RENAME_EXCHANGE
+  return ::renameat2(AT_FDCWD, a.c_str(), AT_FDCWD, b.c_str(), RENAME_EXCHANGE) == 0;
+#else
+  return false;
+#endif
 }
 
 } // namespace
@@ -54,13 +67,32 @@ Temporary_file::~Temporary_file()
   std::filesystem::remove(m_path, ignored);
 }
 
-void Temporary_file::take_place()
+void Temporary_file::finish()
 {
   m_out.close();
   if (!m_out || !synchronize(m_path))
     throw std::runtime_error("writing failed");
-  std::filesystem::rename(m_path, m_target);
+}
+
+void Temporary_file::take_place(bool may_come_back)
+{
+  const auto status = std::filesystem::status(m_target);
+  if (std::filesystem::exists(status) && !std::filesystem::is_regular_file(status))
+    throw std::runtime_error("this is not a regular file"); // anymore
+  m_is_new = !std::filesystem::exists(status);
+  m_is_exchanged = may_come_back && !m_is_new && exchange(m_path, m_target);
+  if (!m_is_exchanged)
+    std::filesystem::rename(m_path, m_target);
   synchronize(m_target.parent_path());
+}
+
+void Temporary_file::give_back_place() noexcept
+{
+  std::error_code ignored;
+  if (m_is_new)
+    std::filesystem::remove(m_target, ignored);
+  else if (m_is_exchanged)
+    std::filesystem::rename(m_path, m_target, ignored);
 }
 
 } // namespace point_files

@@ -8,10 +8,13 @@
 
 namespace point_files {
 
-/// A new file beside the one to be written; removed unless it takes that one's place.
+/// A new file beside the one to be written; removed unless it takes that one's place, or
+/// else it is the old file that is removed.
 class Temporary_file {
   std::filesystem::path m_target, m_path;
   std::ofstream m_out;
+  bool m_is_exchanged = false; // whether the old file has the path of this one now
+  bool m_is_new = false;       // whether there was no old file
 
 public:
   /// A link stays a link: it is what it points to that is written.
@@ -22,9 +25,18 @@ public:
 
   std::ostream& stream() { return m_out; }
   const std::filesystem::path& path() const { return m_path; }
+  const std::filesystem::path& target() const { return m_target; }
 
-  /// Replaces the target, at once and only when all is on the disk.
-  void take_place();
+  /// Puts all that was written on the disk; throws `std::runtime_error` if that fails.
+  void finish();
+
+  /// Replaces the target, at once.
+  /// \param may_come_back whether `give_back_place()` may be called: the old file is kept until this
+  /// one is destroyed, where the file system can exchange files
+  void take_place(bool may_come_back = false);
+
+  /// Puts the target back as it was, as far as possible.
+  void give_back_place() noexcept;
 };
 
 } // namespace point_files

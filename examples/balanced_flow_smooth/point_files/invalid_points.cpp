@@ -78,7 +78,8 @@ void find_invalid_points(Point_file& file, const Read_options& options)
 
 Set_aside::Set_aside(Point_file& file)
     : m_file(file), m_points(take_out(file.points, file.invalid)),
-      m_normals(take_out(file.normals, file.invalid)), m_sides(take_out(file.sides, file.invalid))
+      m_normals(take_out(file.normals, file.invalid)), m_sides(take_out(file.sides, file.invalid)),
+      m_scans(take_out(file.scans, file.invalid))
 {}
 
 void Set_aside::put_back()
@@ -88,6 +89,8 @@ void Set_aside::put_back()
     put_in(m_file.normals, m_file.invalid, m_normals);
   if (!m_sides.empty())
     put_in(m_file.sides, m_file.invalid, m_sides);
+  if (!m_scans.empty())
+    put_in(m_file.scans, m_file.invalid, m_scans);
 }
 
 } // namespace point_files

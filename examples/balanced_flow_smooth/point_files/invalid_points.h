@@ -5,6 +5,7 @@
 #include "Point_file.h"
 
 #include <cstddef>
+#include <cstdint>
 #include <utility>
 #include <vector>
 
@@ -21,6 +22,7 @@ class Set_aside {
   Point_file& m_file;
   std::vector<Point_3> m_points;
   std::vector<Vector_3> m_normals, m_sides;
+  std::vector<std::uint32_t> m_scans;
 
 public:
   explicit Set_aside(Point_file& file);

@@ -2,7 +2,6 @@
 #include "point_file_io.h"
 
 #include "Spool_file.h"
-#include "Temporary_file.h"
 #include "invalid_points.h"
 
 #include <algorithm>
@@ -101,13 +100,6 @@ std::unique_ptr<Point_file> read_stream(std::istream& in, std::size_t size, cons
   return file;
 }
 
-[[noreturn]] void fail_to_write(const std::filesystem::path& path, const std::string& why)
-{
-  throw std::runtime_error("cannot write " +
-                           (is_standard_stream(path) ? "standard output" : path.string()) + ": " +
-                           why);
-}
-
 } // namespace
 
 std::unique_ptr<Point_file> read_point_bytes(std::string bytes, const Format* format,
@@ -155,33 +147,18 @@ std::unique_ptr<Point_file> read_point_file(const std::filesystem::path& path, c
   }
 }
 
-void check_output(const std::filesystem::path& path, const Format* format)
+void request_normals(Point_file& file, const Format& format)
 {
-  try {
-    if (format)
-      check_support(*format);
-    if (is_standard_stream(path))
-      return;
-    if (std::filesystem::is_directory(path))
-      throw std::runtime_error("this is a directory (--output-dir writes into one)");
-    if (std::filesystem::exists(path) && !std::filesystem::is_regular_file(path))
-      throw std::runtime_error("this is not a regular file");
-    if (path.has_parent_path() && !std::filesystem::is_directory(path.parent_path()))
-      throw std::runtime_error("there is no directory " + path.parent_path().string());
-    const Temporary_file trial(path);
-  }
-  catch (const std::exception& e) {
-    fail_to_write(path, e.what());
-  }
+  if (format.adds_normals || !are_of_one_family(*file.format, format))
+    file.add_normals();
+  else
+    file.warnings.push_back("normals can not be added to a file of the format " + format.name);
 }
 
 void warn_of_losses(Point_file& file, const Format& format)
 {
-  if (are_of_one_family(*file.format, format)) {
-    if (!format.keeps_normals && !file.normals.empty())
-      file.warnings.push_back("normals can not be added to a file of the format " + format.name);
+  if (are_of_one_family(*file.format, format))
     return;
-  }
   if (!file.invalid.empty() && !file.drops_invalid)
     file.warnings.push_back(std::to_string(file.invalid.size()) + " invalid points are in the " +
                             format.name + ", too: --invalid drop leaves them out");
@@ -193,34 +170,12 @@ void warn_of_losses(Point_file& file, const Format& format)
 
 void write_as(const Point_file& file, const Target& target)
 {
-  if (!file.normals.empty() && !target.format.has_normals)
-    throw std::runtime_error("the format has no place for normals");
   if (are_of_one_family(*file.format, target.format))
     file.write(target);
   else
     target.format.write(target, file);
   if (!target.out.flush())
     throw std::runtime_error("writing failed");
-}
-
-bool write_point_file(const std::filesystem::path& path, const Point_file& file,
-                      const Format& format, const std::function<bool()>& is_interrupted)
-{
-  try {
-    if (is_standard_stream(path)) {
-      write_as(file, {std::cout, "", format});
-      return true;
-    }
-    Temporary_file out(path);
-    write_as(file, {out.stream(), out.path(), format});
-    if (is_interrupted())
-      return false;
-    out.take_place();
-    return true;
-  }
-  catch (const std::exception& e) {
-    fail_to_write(path, e.what());
-  }
 }
 
 } // namespace point_files

@@ -6,7 +6,6 @@
 #include "Point_file.h"
 
 #include <filesystem>
-#include <functional>
 #include <memory>
 #include <string>
 
@@ -24,22 +23,15 @@ std::unique_ptr<Point_file> read_point_file(const std::filesystem::path& path, c
 std::unique_ptr<Point_file> read_point_bytes(std::string bytes, const Format* format,
                                              const Read_options& options);
 
-/// Throws `std::runtime_error` if the output could not be written, before any work is done.
-/// \param format null if it is not known before the input is read
-void check_output(const std::filesystem::path& path, const Format* format);
+/// Makes room for normals in a file that has none; adds a warning instead if it can not get them.
+/// \param format of the output
+void request_normals(Point_file& file, const Format& format);
 
 /// Adds to the warnings of the file what is lost on the way to another format.
 void warn_of_losses(Point_file& file, const Format& format);
 
 /// Writes a point set as a file of the format of the target.
 void write_as(const Point_file& file, const Target& target);
-
-/// Writes a point set, first beside the file and then in its place: a run that fails or is killed
-/// never leaves half a file.
-/// \param is_interrupted asked when all but the place is done: if it says so, nothing is written
-/// \return whether the file is written
-bool write_point_file(const std::filesystem::path& path, const Point_file& file,
-                      const Format& format, const std::function<bool()>& is_interrupted);
 
 } // namespace point_files
 

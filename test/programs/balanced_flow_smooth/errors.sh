@@ -81,10 +81,10 @@ check "failed runs leave no file" bash -c '! ls no.* *.part directory.xyz/* 2> /
 
 # ---- Ctrl-C and the like
 
-awk 'BEGIN { srand(1); for (i = 0; i < 400000; ++i) print rand(), rand(), rand() / 100 }' > large.xyz
+awk 'BEGIN { srand(1); for (i = 0; i < 50000; ++i) print rand(), rand(), rand() / 100 }' > large.xyz
 for signal in INT TERM; do
   cp large.xyz in_place.xyz
-  (trap - INT; exec "$program" in_place.xyz --in-place --json=report.json --iterations 1000 2> interrupted.log) &
+  (trap - INT; exec "$program" in_place.xyz --in-place --json=report.json --iterations 100000 2> interrupted.log) &
   pid=$!
   sleep 4
   kill -$signal $pid

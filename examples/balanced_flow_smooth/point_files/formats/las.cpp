@@ -22,7 +22,7 @@ Format las_or_laz(const char* name)
   format.name = name;
   format.family = "las";
   format.magic = "LASF";
-  format.keeps_normals = false;
+  format.adds_normals = false;
   format.read = [](std::string bytes, const Read_options&) -> std::unique_ptr<Point_file> {
     return std::make_unique<Las_file>(las::Input(std::move(bytes)));
   };

@@ -134,7 +134,7 @@ Format ptx_format()
   Format format;
   format.name = format.family = "ptx";
   format.recognizes = begins_with_scan;
-  format.has_normals = false;
+  format.adds_normals = false;
   format.read = [](std::string bytes, const Read_options&) -> std::unique_ptr<Point_file> {
     auto file = std::make_unique<Raw_file>(parse(std::move(bytes)));
     file->defines_invalid = file->zeros_are_invalid = true;

@@ -11,6 +11,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <iterator>
 #include <type_traits>
 
@@ -49,7 +50,7 @@ Array<Vector_3> copy_sides(const Maps& maps)
   return is_any_known ? sides : Array<Vector_3>();
 }
 
-/// The number of the scan of each point, in the order of the caller; empty if not given.
+/// The number of the scan of each point, in the order of the caller; empty if not given or the same for all.
 template <typename Maps>
 Array<std::uint32_t> copy_scans(const Maps& maps)
 {
@@ -63,6 +64,9 @@ Array<std::uint32_t> copy_scans(const Maps& maps)
     scans.reserve(std::size_t(std::distance(maps.points.begin(), maps.points.end())));
     for (auto it = maps.points.begin(); it != maps.points.end(); ++it)
       scans.push_back(static_cast<std::uint32_t>(get(map, *it)));
+    if (std::adjacent_find(scans.begin(), scans.end(), std::not_equal_to<std::uint32_t>()) ==
+        scans.end())
+      return Array<std::uint32_t>();
   }
   return scans;
 }

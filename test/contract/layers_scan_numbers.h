@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The numbers of scans tell which layers are registration error.
+#ifndef POINT_SET_FLOW_TEST_LAYERS_SCAN_NUMBERS_H
+#define POINT_SET_FLOW_TEST_LAYERS_SCAN_NUMBERS_H
+
+#include "layers_two_sheets.h"
+
+#include <boost/test/unit_test.hpp>
+
+#include <CGAL/Point_set_3.h>
+#include <CGAL/Point_set_flow/analyze_point_set.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <numeric>
+#include <random>
+#include <stdexcept>
+#include <vector>
+
+namespace layers {
+
+using CGAL::Point_set_flow::analyze_point_set;
+using CGAL::Point_set_flow::Smoothing_report;
+
+BOOST_AUTO_TEST_CASE(numbers_of_scans_of_any_integer_type_are_read)
+{
+  const Scan scan = two_sheets(2. * sigma, -1.);
+  const auto smoothed = [&](auto numbers) {
+    Points result = scan.points;
+    std::vector<std::size_t> indices(scan.size());
+    std::iota(indices.begin(), indices.end(), std::size_t(0));
+    for (std::size_t i = 0; i < numbers.size(); ++i)
+      numbers[i] = typename decltype(numbers)::value_type(2 * i / numbers.size());
+    CGAL::balanced_flow_smooth_point_set<Sequential>(
+        indices,
+        np::scan_map(CGAL::make_property_map(numbers)).point_map(CGAL::make_property_map(result)));
+    const Smoothing_report report = analyze_point_set<Sequential>(
+        indices, np::scan_map(CGAL::make_property_map(numbers))
+                     .point_map(CGAL::make_property_map(scan.points)));
+    BOOST_TEST(report.number_of_points == scan.size());
+    return result;
+  };
+  const Points expected = smoothed(std::vector<std::uint32_t>(scan.size()));
+  BOOST_TEST((smoothed(std::vector<unsigned char>(scan.size())) == expected));
+  BOOST_TEST((smoothed(std::vector<int>(scan.size())) == expected));
+  BOOST_TEST((smoothed(std::vector<std::int64_t>(scan.size())) == expected));
+}
+
+BOOST_AUTO_TEST_CASE(constant_point_sets_with_normals_are_analyzed)
+{
+  typedef CGAL::Point_set_3<shapes::Point_3> Point_set;
+  const Scan scan = two_sheets(2. * sigma, -1.);
+  Point_set points;
+  points.add_normal_map();
+  auto scans = points.add_property_map<unsigned char>("scan", 0).first;
+  for (std::size_t i = 0; i < scan.size(); ++i)
+    points.insert(scan.points[i], scan.normals[i]);
+  const Point_set& constant = points;
+  const Smoothing_report own = analyze_point_set<Sequential>(constant);
+  const Smoothing_report named = analyze_point_set<Sequential>(
+      constant, np::scan_map(scans).point_map(points.point_map()).normal_map(points.normal_map()));
+  BOOST_TEST(own.number_of_points == scan.size());
+  BOOST_TEST(named.number_of_points == scan.size());
+
+  Point_set by_range = points;
+  CGAL::balanced_flow_smooth_point_set<Sequential>(by_range);
+  const Points expected = scan.smoothed(scan.normals);
+  std::size_t i = 0;
+  for (const auto& index : by_range)
+    BOOST_REQUIRE((by_range.point(index) == expected[i++]));
+
+  // a map made for fewer points
+  Point_set fewer;
+  fewer.insert(scan.points[0]);
+  const auto few_scans = fewer.add_property_map<unsigned char>("scan", 0).first;
+  BOOST_CHECK_THROW(analyze_point_set<Sequential>(constant, np::scan_map(few_scans)),
+                    std::invalid_argument);
+}
+
+/// The same ground scanned twice, with a registration error of .4 and noise of .05 of the spacing
+struct Two_scans {
+  Points points;
+  std::vector<int> numbers;
+
+  Two_scans()
+  {
+    std::mt19937 random(7);
+    std::uniform_real_distribution<double> u(0., 50.);
+    for (int i = 0; i < 5000; ++i) {
+      points.emplace_back(u(random), u(random), i % 2 == 0 ? .2 : -.2);
+      numbers.push_back(i % 2);
+    }
+    shapes::add_noise(points, .05);
+  }
+
+  /// The rms distance from the middle of the layers
+  double deviation_with(const std::vector<int>& scans) const
+  {
+    Points result = points;
+    std::vector<std::size_t> indices(points.size());
+    std::iota(indices.begin(), indices.end(), std::size_t(0));
+    CGAL::balanced_flow_smooth_point_set<Sequential>(
+        indices,
+        np::scan_map(CGAL::make_property_map(scans)).point_map(CGAL::make_property_map(result)));
+    double sum = 0.;
+    for (const auto& p : result)
+      sum += p.z() * p.z();
+    return std::sqrt(sum / double(result.size()));
+  }
+};
+
+BOOST_AUTO_TEST_CASE(layers_of_different_scans_come_together)
+{
+  const Two_scans scans;
+  const double known = scans.deviation_with(scans.numbers);
+  const double unknown_scans = scans.deviation_with(std::vector<int>(scans.points.size(), 3));
+  std::vector<int> shuffled = scans.numbers; // tell nothing on the heights
+  std::shuffle(shuffled.begin(), shuffled.end(), std::mt19937(3));
+  BOOST_TEST(known < .4 * .2);
+  BOOST_TEST(known < .5 * unknown_scans);
+  BOOST_TEST(scans.deviation_with(shuffled) == unknown_scans, boost::test_tools::tolerance(.1));
+}
+
+} // namespace layers
+
+#endif // POINT_SET_FLOW_TEST_LAYERS_SCAN_NUMBERS_H
