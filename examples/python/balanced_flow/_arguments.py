@@ -135,9 +135,11 @@ def _constrained(value, n):
 
 def _number(name, value):
     try:
-        return float(value) if not isinstance(value, str) else operator.index(value)
+        if not isinstance(value, (str, bytes)):
+            return float(value)
     except TypeError:
-        raise TypeError(f"{name} is {value!r}, but must be a number") from None
+        pass
+    raise TypeError(f"{name} is {value!r}, but must be a number")
 
 
 def _whole_number(name, value, least=0):
