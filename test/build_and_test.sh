@@ -6,7 +6,8 @@
 set -eu
 cd "$(dirname "$0")/.."
 sh cmake/install_packages.sh g++ clang make cmake binutils libcgal-dev libcgal-demo libeigen3-dev libtbb-dev \
-  libboost-test-dev libboost-program-options-dev liblzf-dev nlohmann-json3-dev python3 pkgconf
+  libboost-test-dev libboost-program-options-dev liblzf-dev nlohmann-json3-dev python3 pkgconf \
+  pybind11-dev python3-dev python3-numpy python3-pytest
 # shellcheck disable=SC2046 # not in Debian 12, see test/laz.sh
 sh cmake/install_packages.sh $(apt-cache search --names-only '^liblaszip-dev$' | cut -d' ' -f1)
 
@@ -14,7 +15,9 @@ cmake --preset debug-clang-no-tbb -D POINT_SET_FLOW_BUILD_EXAMPLES=OFF "$@"
 cmake --build build/debug-clang-no-tbb --parallel 2 --target core_tests_in_short
 ctest --test-dir build/debug-clang-no-tbb --output-on-failure --parallel 2 --label-regex in_short
 
-cmake --preset release -D POINT_SET_FLOW_BUILD_TESTS=ON -D POINT_SET_FLOW_BUILD_BENCHMARKS=ON "$@"
+# The Python of the packages above, whatever other one comes first in the path
+cmake --preset release -D POINT_SET_FLOW_BUILD_TESTS=ON -D POINT_SET_FLOW_BUILD_BENCHMARKS=ON \
+  -D POINT_SET_FLOW_BUILD_PYTHON=ON -D Python_EXECUTABLE=/usr/bin/python3 "$@"
 cmake --build build/release --parallel 2
 ctest --test-dir build/release --output-on-failure --parallel 2
 

@@ -5,7 +5,8 @@
 set -eu
 cd "$(dirname "$0")/../.."
 sh cmake/install_packages.sh build-essential debhelper fakeroot lintian cmake pkgconf libcgal-dev libeigen3-dev \
-  libtbb-dev libboost-dev libboost-program-options-dev libboost-test-dev liblzf-dev nlohmann-json3-dev
+  libtbb-dev libboost-dev libboost-program-options-dev libboost-test-dev liblzf-dev nlohmann-json3-dev \
+  dh-python pybind11-dev python3-dev python3-numpy python3-pytest
 
 version=$(sed -n 's/^project(PointSetFlow VERSION \([0-9.]*\).*/\1/p' CMakeLists.txt)
 rm -rf build/debian
@@ -31,5 +32,6 @@ for package in ./*.deb; do
 done
 cd "point-set-flow-$version"
 AUTOPKGTEST_TMP=$PWD/../test sh debian/tests/consumer "$PWD/../root"
+sh debian/tests/python "$PWD/../root"
 cd ..
 ls -l ./*.deb

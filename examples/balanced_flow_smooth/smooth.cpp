@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "smooth.h"
 
+#include "find_flow.h"
+
 #include <CGAL/Iterator_range.h>
-#include <CGAL/Point_set_flow/Any_flow.h>
 #include <CGAL/Point_set_flow/Covariance_curvature.h>
 #include <CGAL/Point_set_flow/analyze_point_set.h>
 #include <CGAL/balanced_flow_smooth_point_set.h>
@@ -24,20 +25,6 @@ using point_files::Vector_3;
 namespace {
 
 typedef CGAL::Parallel_if_available_tag Concurrency_tag;
-
-/// All flows but the default as one type, which keeps the program small
-flows::Any_flow find_flow(const std::string& name)
-{
-  if (name == "curvature")
-    return flows::Curvature_flow();
-  if (name == "anisotropic")
-    return flows::Anisotropic_flow();
-  if (name == "well-posed")
-    return flows::Well_posed_anisotropic_flow();
-  if (name == "volume-preserving")
-    return flows::Volume_preserving_flow();
-  return flows::Balanced_flow();
-}
 
 /// A property map of normals that may not be there: it is false as a condition then.
 /// \tparam Normals_reference to a vector, which may be constant
