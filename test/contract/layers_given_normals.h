@@ -65,6 +65,22 @@ BOOST_AUTO_TEST_CASE(layers_with_normals_on_the_same_side_come_together)
   BOOST_TEST(distance < .5 * separation);
 }
 
+BOOST_AUTO_TEST_CASE(few_wrong_normals_are_recognized)
+{
+  const double separation = 1.5 * sigma;
+  const Scan scan = two_sheets(separation, 1.);
+  Normals some_wrong = scan.normals;
+  for (std::size_t i = 0; i < some_wrong.size(); i += 30)
+    some_wrong[i] = -some_wrong[i];
+  const auto height_of = [&](const Points& result) { // rms, in the middle
+    return std::sqrt(scan.mean(
+        result, true, [](const shapes::Point_3& p, std::size_t) { return p.z() * p.z(); }));
+  };
+  const double right = height_of(scan.smoothed(scan.normals));
+  BOOST_TEST(height_of(scan.smoothed(some_wrong)) < 1.15 * right);
+  BOOST_TEST(height_of(scan.smoothed_without_normals()) > 1.3 * right);
+}
+
 BOOST_AUTO_TEST_CASE(null_normals_say_nothing)
 {
   const Scan scan = two_sheets(2. * sigma, -1.);

@@ -83,19 +83,20 @@ struct Two_scans {
   Points points;
   std::vector<int> numbers;
 
-  Two_scans()
+  /// \param second the share of the points that are of the second scan
+  explicit Two_scans(double second = .5)
   {
+    std::mt19937 choice(9);
     std::mt19937 random(7);
     std::uniform_real_distribution<double> u(0., 50.);
     for (int i = 0; i < 5000; ++i) {
-      points.emplace_back(u(random), u(random), i % 2 == 0 ? .2 : -.2);
-      numbers.push_back(i % 2);
+      numbers.push_back(std::generate_canonical<double, 32>(choice) < second ? 1 : 0);
+      points.emplace_back(u(random), u(random), numbers.back() == 0 ? .2 : -.2);
     }
     shapes::add_noise(points, .05);
   }
 
-  /// The rms distance from the middle of the layers
-  double deviation_with(const std::vector<int>& scans) const
+  Points smoothed_with(const std::vector<int>& scans) const
   {
     Points result = points;
     std::vector<std::size_t> indices(points.size());
@@ -103,6 +104,13 @@ struct Two_scans {
     CGAL::balanced_flow_smooth_point_set<Sequential>(
         indices,
         np::scan_map(CGAL::make_property_map(scans)).point_map(CGAL::make_property_map(result)));
+    return result;
+  }
+
+  /// The rms distance from the middle of the layers
+  double deviation_with(const std::vector<int>& scans) const
+  {
+    const Points result = smoothed_with(scans);
     double sum = 0.;
     for (const auto& p : result)
       sum += p.z() * p.z();
@@ -120,6 +128,23 @@ BOOST_AUTO_TEST_CASE(layers_of_different_scans_come_together)
   BOOST_TEST(known < .4 * .2);
   BOOST_TEST(known < .5 * unknown_scans);
   BOOST_TEST(scans.deviation_with(shuffled) == unknown_scans, boost::test_tools::tolerance(.1));
+}
+
+BOOST_AUTO_TEST_CASE(points_of_a_scan_with_few_points_come_to_the_others)
+{
+  const Two_scans scans(.08);
+  const auto strays = [&](const std::vector<int>& numbers) { // rms, of the few
+    const Points result = scans.smoothed_with(numbers);
+    double squares = 0., count = 0.;
+    for (std::size_t i = 0; i < result.size(); ++i)
+      if (scans.numbers[i] == 1) {
+        squares += (result[i].z() - .2) * (result[i].z() - .2);
+        count += 1.;
+      }
+    return std::sqrt(squares / count);
+  };
+  BOOST_TEST(strays(scans.numbers) < .3 * .4);
+  BOOST_TEST(strays(scans.numbers) < .5 * strays(std::vector<int>(scans.points.size(), 0)));
 }
 
 } // namespace layers

@@ -5,6 +5,7 @@
 
 #include "shapes.h"
 
+#include <CGAL/Point_set_flow/internal/fitting/Quadric_fit.h>
 #include <CGAL/Point_set_flow/internal/fitting/scan_evidence.h>
 #include <CGAL/Point_set_flow/internal/fitting/side_evidence.h>
 #include <CGAL/Point_set_flow/internal/order/Point_buffer.h>
@@ -162,6 +163,21 @@ BOOST_AUTO_TEST_CASE(scans_explain_the_distance_between_their_layers)
   }
 }
 
+BOOST_AUTO_TEST_CASE(the_variance_between_scans_has_no_bias)
+{
+  for (const double separation : {0., 1., 4.}) {
+    std::mt19937 random(7);
+    const double variance = mean_of(1000, [&] {
+      const Patch patch(49, separation * sigma, random);
+      return internal::scan_evidence(patch.points, 0, patch.neighbors.data(),
+                                     patch.neighbors.size(), patch.scans)
+          .variance;
+    });
+    const double a = separation * sigma / 2.;
+    BOOST_TEST(std::abs(variance - a * a) < .03 * (a * a + sigma * sigma));
+  }
+}
+
 BOOST_AUTO_TEST_CASE(the_number_of_scans_and_their_numbers_do_not_matter)
 {
   std::mt19937 random(6);
@@ -192,6 +208,48 @@ BOOST_AUTO_TEST_CASE(the_number_of_scans_and_their_numbers_do_not_matter)
   BOOST_TEST(patch.scan_evidence() == 0.);
   std::iota(patch.scans.begin(), patch.scans.end(), 0u); // one for each point
   BOOST_TEST(patch.scan_evidence() == 0.);
+}
+
+namespace {
+
+/// Geary's C of what a quadric leaves of heights over random places
+double gearys_c(std::mt19937& random, double noise,
+                const std::function<double(double, double)>& shape)
+{
+  std::normal_distribution<double> gauss(0., 1.);
+  std::uniform_real_distribution<double> place(-1., 1.);
+  internal::Array<Point_3> points;
+  std::vector<std::uint32_t> members(25);
+  std::iota(members.begin(), members.end(), 0u);
+  while (points.size() < members.size()) {
+    const double x = points.empty() ? 0. : place(random), y = points.empty() ? 0. : place(random);
+    if (x * x + y * y <= 1.)
+      points.push_back(Point_3(x, y, .1 * shape(x, y) + noise * gauss(random)));
+  }
+  return internal::Quadric_fit(points, members, 1.).gearys_c();
+}
+
+} // namespace
+
+BOOST_AUTO_TEST_CASE(gearys_c_tells_noise_from_shape)
+{
+  std::mt19937 random(8);
+  const auto plane = [](double, double) { return 0.; };
+  const auto cubic = [](double x, double y) { return x * x * x - y * x * y; };
+  const auto wave = [](double x, double y) { return std::sin(3. * x + y); };
+  const auto mean_over = [&](double noise, const std::function<double(double, double)>& shape) {
+    return mean_of(400, [&] { return gearys_c(random, noise, shape); });
+  };
+  BOOST_TEST(std::abs(mean_over(.05, plane) - 1.27) < .05);
+  BOOST_TEST(mean_over(0., cubic) < .9);
+  BOOST_TEST(mean_over(0., wave) < .9);
+  double before = mean_over(0., wave);
+  for (const double noise : {.02, .04, .08}) {
+    const double both = mean_over(noise, wave);
+    BOOST_TEST(both > before + .05);
+    before = both;
+  }
+  BOOST_TEST(gearys_c(random, 0., plane) < 1.5); // no residual but rounding, which tells nothing
 }
 
 BOOST_AUTO_TEST_CASE(duplicates_have_one_side_and_one_scan)

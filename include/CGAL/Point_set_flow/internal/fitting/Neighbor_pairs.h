@@ -8,6 +8,8 @@
 
 #include <Eigen/Core>
 
+#include <boost/config.hpp>
+
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -69,7 +71,7 @@ public:
 
 /// A weight from its exponent: \f$(1 - x/32)^{32}\f$, and 0 from 32 on. It is close to
 /// \f$e^{-x}\f$, at a tenth of the cost.
-inline Lanes bell(const Lanes& x)
+BOOST_FORCEINLINE Lanes bell(const Lanes& x) // or registers would pass through memory
 {
   Lanes b = (1. - x * (1. / 32.)).max(0.);
   b *= b;

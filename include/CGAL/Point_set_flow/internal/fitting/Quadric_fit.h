@@ -13,6 +13,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <vector>
 
 namespace CGAL {
@@ -80,11 +81,7 @@ public:
   {
     double second = 0., fourth = 0.;
     for (const std::uint32_t j : m_neighbors) {
-      const Vector_3 d = in_radii(j);
-      const double x = d * m_e1, y = d * m_e2;
-      Vector_6 terms;
-      terms << 1., x, y, x * x, x * y, y * y;
-      const double residual = d * m_normal - m_quadric.dot(terms), square = residual * residual;
+      const double residual = residual_of(j).z(), square = residual * residual;
       second += square;
       fourth += square * square;
     }
@@ -93,10 +90,46 @@ public:
     return std::isfinite(excess) ? excess : 0.; // no residuals, or squares that are too small
   }
 
+  /// Geary's C of the residuals, which compares the nearest of them in the plane with each other: low if they are
+  /// alike, as those of shape are. Points in one place are not compared. Negative if there is no residual.
+  double gearys_c() const
+  {
+    const double one_place = .01; // in radii
+    std::vector<Vector_3> residuals;
+    double squares = 0.;
+    for (const std::uint32_t j : m_neighbors) {
+      residuals.push_back(residual_of(j));
+      squares += residuals.back().z() * residuals.back().z();
+    }
+    double differences = 0.;
+    for (const Vector_3& r : residuals) {
+      double least = (std::numeric_limits<double>::infinity)(), nearest = r.z();
+      for (const Vector_3& other : residuals) {
+        const double dx = other.x() - r.x(), dy = other.y() - r.y(), squared = dx * dx + dy * dy;
+        if (squared < least && squared > one_place * one_place) {
+          least = squared;
+          nearest = other.z();
+        }
+      }
+      differences += (r.z() - nearest) * (r.z() - nearest);
+    }
+    return squares > 0. ? differences / (2. * squares) : -1.;
+  }
+
 private:
   Vector_3 in_radii(std::uint32_t j) const
   {
     return (m_points[j] - m_points[m_neighbors[0]]) / m_radius;
+  }
+
+  /// The place of a point in the plane, and its residual there
+  Vector_3 residual_of(std::uint32_t j) const
+  {
+    const Vector_3 d = in_radii(j);
+    const double x = d * m_e1, y = d * m_e2;
+    Vector_6 terms;
+    terms << 1., x, y, x * x, x * y, y * y;
+    return {x, y, d * m_normal - m_quadric.dot(terms)};
   }
 
   void find_frame()

@@ -4,6 +4,7 @@
 
 #include <CGAL/license/Point_set_flow.h>
 
+#include <CGAL/Point_set_flow/internal/fitting/median.h>
 #include <CGAL/Point_set_flow/internal/neighbors/Neighbor_graph.h>
 #include <CGAL/Point_set_flow/internal/neighbors/Surface.h>
 #include <CGAL/Point_set_flow/internal/noise/Residuals.h>
@@ -30,7 +31,9 @@ struct Local_scale {
 class Residual_pool {
   const std::vector<Residuals>& m_residuals;
   const Neighbor_graph& m_near;
-  std::vector<double> m_variances;
+  static constexpr std::size_t enough =
+      20;                       // samples, for statistics that are less steady than a variance
+  std::vector<double> m_values; // those that are pooled
 
 public:
   /// \param near the samples around each sample
@@ -69,6 +72,8 @@ public:
       if (next >= 0.)
         variance = (std::max)((4. * variance - next) / 3., 0.);
     }
+    if (s < Residuals::steady)
+      variance *= share_of_noise(i);
     const double rounding = 1e-7; // of the sums of the quadrics, in neighborhood radii
     scale.noise = std::sqrt(variance);
     if (scale.noise < rounding * m_residuals[i].radius[s])
@@ -110,18 +115,36 @@ private:
   /// What a third of the samples around are below: noise is everywhere, detail is not.
   double pooled_variance(std::size_t i, std::size_t s)
   {
-    m_variances.clear();
+    m_values.clear();
     const auto add = [&](const Residuals& residuals) {
       if (residuals.is_measured(s))
-        m_variances.push_back(residuals.variance[s]);
+        m_values.push_back(residuals.variance[s]);
     };
     add(m_residuals[i]);
     for_each_near(i, add);
-    if (3 * m_variances.size() < m_near.size(i) + 1)
+    if (3 * m_values.size() < m_near.size(i) + 1)
       return -1.;
-    const auto tercile = m_variances.begin() + std::ptrdiff_t(m_variances.size() / 3);
-    std::nth_element(m_variances.begin(), tercile, m_variances.end());
+    const auto tercile = m_values.begin() + std::ptrdiff_t(m_values.size() / 3);
+    std::nth_element(m_values.begin(), tercile, m_values.end());
     return *tercile;
+  }
+
+  /// The share of noise in the variance of small sizes, 0 to 1, from Geary's C, which is .72 for smooth shapes without
+  /// noise and 1.27 for white noise (the residuals of a fit repel each other), for random and even positions.
+  double share_of_noise(std::size_t i)
+  {
+    const double of_shape = .72, of_noise = 1.27;
+    m_values.clear();
+    const auto add = [&](const Residuals& residuals) {
+      if (residuals.gearys_c >= 0.)
+        m_values.push_back(residuals.gearys_c);
+    };
+    add(m_residuals[i]);
+    for_each_near(i, add);
+    if (m_values.size() < enough)
+      return 1.;
+    const double c = median(m_values);
+    return (std::min)((std::max)((c - of_shape) / (of_noise - of_shape), 0.), 1.);
   }
 
   /// Whether the neighborhoods around sample `i` hold two sheets: the residuals of the largest are bimodal, and
@@ -140,8 +163,7 @@ private:
     };
     add(m_residuals[i]);
     for_each_near(i, add);
-    const double enough = 20.; // samples
-    if (count < enough || excess > bimodal * count)
+    if (count < double(enough) || excess > bimodal * count)
       return false;
     const double before = pooled_variance(i, small);
     return before >= 0. && pooled_variance(i, large) > grown * before;

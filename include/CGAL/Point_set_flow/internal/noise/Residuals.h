@@ -24,13 +24,15 @@ namespace internal {
 /// hold more structure.
 struct Residuals {
   static constexpr std::array<std::size_t, 4> sizes = {{12, 24, 48, 96}};
-  static constexpr std::size_t steady = 2; ///< the first size that gives a steady spacing
+  static constexpr std::size_t steady = 2;   ///< the first size that gives a steady spacing
+  static constexpr std::size_t compared = 1; ///< the size at which neighbors are compared
 
   /// The variance of the noise if the tercile of many is taken; negative if not measured, or if hardly any
   /// places are distinct
   std::array<double, 4> variance;
   std::array<double, 4> radius;
   std::array<double, 4> growth; ///< the logarithm of the radius over that of half of the neighbors
+  double gearys_c = -1.;        ///< at the size `compared`; negative if not measured
   double excess_kurtosis = 0.;  ///< at the largest size
 
   Residuals()
@@ -63,6 +65,8 @@ struct Residuals {
       const double v = r * r * ((m - unknowns) / m) * (places / (places - unknowns)) /
                        chi_squared_tercile(m - unknowns);
       variance[s] = v * filled(radius[s], v);
+      if (s == compared)
+        gearys_c = fit.gearys_c();
       if (s + 1 == sizes.size())
         excess_kurtosis = fit.excess_kurtosis();
     }
