@@ -129,11 +129,11 @@ private:
     return *tercile;
   }
 
-  /// The share of noise in the variance of small sizes, 0 to 1, from Geary's C, which is .72 for smooth shapes without
-  /// noise and 1.27 for white noise (the residuals of a fit repel each other), for random and even positions.
+  /// The share of noise in the variance of small sizes, 0 to 1, from Geary's C: .72 for smooth shapes without noise, 1.2 to
+  /// 1.3 for white noise (the residuals of a fit repel each other), for random and even positions.
   double share_of_noise(std::size_t i)
   {
-    const double of_shape = .72, of_noise = 1.27;
+    const double of_shape = .72, of_noise = 1.2;
     m_values.clear();
     const auto add = [&](const Residuals& residuals) {
       if (residuals.gearys_c >= 0.)
