@@ -235,6 +235,13 @@ END
 check "all values are still there" python3 values.py las.ply back.ply
 "$program" "$data/points_3/hippo1.ply" hippo.las -q --iterations 0 2> /dev/null
 check "LAS that we made is one" bash -c "'$program' hippo.las same.las -q --iterations 0 && cmp hippo.las same.las"
+cat > one_scale.py <<'END'
+import struct, sys
+scales = struct.unpack_from("<3d", open(sys.argv[1], "rb").read(), 131)
+assert len(set(scales)) == 1, scales
+END
+awk 'BEGIN { for (i = 0; i < 900; ++i) print i % 30, int(i / 30), 100 + (i % 7) * 1e-9 }' > flat.xyz
+check "a flat cloud has room to move" bash -c "'$program' flat.xyz flat.las -q --iterations 0 && python3 one_scale.py flat.las"
 check "text to LAS" bash -c "'$program' colors.xyz colors.las -q --iterations 0 && '$program' colors.las back.xyz -q --iterations 0"
 (echo "# x y z nx ny nz" && cat "$data/points_3/kitten.xyz") > kitten.xyz
 check "normals become extra bytes" bash -c "'$program' kitten.xyz kitten.las -q && '$program' kitten.las kitten.ply -q --iterations 0 && grep -aq '^property double other_NormalZ' kitten.ply"

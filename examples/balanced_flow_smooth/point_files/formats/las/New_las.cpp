@@ -45,9 +45,11 @@ New_las::New_las(const Point_file& file) : m_file(file)
   find_bounds();
 }
 
-/// The finest decimal scale for which all points fit in 32 bits, but no finer than the coordinates
+/// The same decimal scale for all coordinates, so fine that a quarter of 32 bits holds all points, but no finer than the
+/// coordinates. So points of a flat cloud can move off its plane later.
 void New_las::choose_grid()
 {
+  double middle[3], extent = 0., size = 0.;
   for (int c = 0; c < 3; ++c) {
     double min = (std::numeric_limits<double>::infinity)(), max = -min;
     for (std::size_t i = 0; i < m_file.points.size(); ++i) {
@@ -57,14 +59,18 @@ void New_las::choose_grid()
         max = (std::max)(max, value);
       }
     }
-    const double extent = max - min, size = (std::max)(std::abs(min), std::abs(max));
-    if (!std::isfinite(extent) || size > 1e300)
+    middle[c] = min + (max - min) / 2.;
+    extent = (std::max)(extent, max - min);
+    size = (std::max)({size, std::abs(min), std::abs(max)});
+    if (!std::isfinite(max - min) || size > 1e300)
       fail("the points are too far from each other for LAS, from ", min, " to ", max, " in ",
            axis_name(std::size_t(c)));
-    const double finest = (std::max)(size * std::numeric_limits<double>::epsilon(), 1e-290);
-    m_grid.scale[std::size_t(c)] = power_of_ten((std::max)(extent / 4e9, finest));
-    const double round = m_grid.scale[std::size_t(c)] * 1e6;
-    m_grid.offset[std::size_t(c)] = std::round((min + extent / 2.) / round) * round;
+  }
+  const double finest = (std::max)(size * std::numeric_limits<double>::epsilon(), 1e-290);
+  const double scale = power_of_ten((std::max)(extent / 1e9, finest)), round = scale * 1e6;
+  for (std::size_t c = 0; c < 3; ++c) {
+    m_grid.scale[c] = scale;
+    m_grid.offset[c] = std::round(middle[c] / round) * round;
   }
 }
 
