@@ -147,6 +147,20 @@ BOOST_AUTO_TEST_CASE(points_of_a_scan_with_few_points_come_to_the_others)
   BOOST_TEST(strays(scans.numbers) < .5 * strays(std::vector<int>(scans.points.size(), 0)));
 }
 
+BOOST_AUTO_TEST_CASE(the_sides_of_a_wall_may_be_in_different_scans)
+{
+  const Scan wall = two_sheets(4. * sigma, -1.);
+  std::vector<int> numbers(wall.size(), 0);
+  std::fill(numbers.begin() + std::ptrdiff_t(wall.size() / 2), numbers.end(), 1);
+  std::vector<std::size_t> indices(wall.size());
+  std::iota(indices.begin(), indices.end(), std::size_t(0));
+  const Smoothing_report report = analyze_point_set<Sequential>(
+      indices, np::scan_map(CGAL::make_property_map(numbers))
+                   .point_map(CGAL::make_property_map(wall.points))
+                   .normal_map(CGAL::make_property_map(wall.normals)));
+  BOOST_TEST(report.noise == sigma, boost::test_tools::tolerance(.15));
+}
+
 } // namespace layers
 
 #endif // POINT_SET_FLOW_TEST_LAYERS_SCAN_NUMBERS_H

@@ -12,17 +12,24 @@
 
 namespace comparison {
 
-/// With its defaults, and the normals that are known; none if they are empty
-inline Smoothed smooth_with_normals(const Points& noisy, const Vectors& normals)
+/// With its defaults, and the normals and the numbers of the scans that are known; empty if they are not
+inline Points smooth_with_layers(Points points, Vectors normals,
+                                 const std::vector<unsigned int>& scans = {})
 {
+  namespace np = CGAL::parameters;
   if (normals.empty())
-    return point_set_flow(noisy);
-  Smoothed result{noisy, normals};
-  std::vector<std::size_t> indices = numbers(noisy.size());
-  CGAL::balanced_flow_smooth_point_set<Concurrency_tag>(
-      indices, CGAL::parameters::point_map(CGAL::make_property_map(result.points))
-                   .normal_map(CGAL::make_property_map(result.normals)));
-  return result;
+    return point_set_flow(points).points;
+  std::vector<std::size_t> indices = numbers(points.size());
+  const auto point_map = CGAL::make_property_map(points);
+  const auto normal_map = CGAL::make_property_map(normals);
+  const auto scan_map = CGAL::make_property_map(scans);
+  if (scans.empty())
+    CGAL::balanced_flow_smooth_point_set<Concurrency_tag>(
+        indices, np::point_map(point_map).normal_map(normal_map));
+  else
+    CGAL::balanced_flow_smooth_point_set<Concurrency_tag>(
+        indices, np::scan_map(scan_map).point_map(point_map).normal_map(normal_map));
+  return points;
 }
 
 enum class Rivals { jets, jets_and_bilateral };
@@ -49,7 +56,7 @@ struct Comparison {
         best_setting = peer.family + " " + peer.setting;
       }
     }
-    const Points smoothed = smooth_with_normals(cloud.points, cloud.normals).points;
+    const Points smoothed = smooth_with_layers(cloud.points, cloud.normals, cloud.scans);
     ours = cloud.error_of(smoothed);
     movement = comparison::movement(cloud.points, smoothed);
     share_moved = comparison::share_moved(cloud.points, smoothed);

@@ -19,9 +19,10 @@ struct Test_cloud {
   std::string name;
   std::shared_ptr<const Surface> surface;
   Points points;
-  std::vector<char> belongs; ///< whether a point was measured on the surface; all if empty
-  Vectors normals;           ///< that are given with the points; empty if there are none
-  double spacing = 1.;       ///< to count lengths in; where the spacing varies, of one part
+  std::vector<char> belongs;       ///< whether a point was measured on the surface; all if empty
+  Vectors normals;                 ///< that are given with the points; empty if there are none
+  std::vector<unsigned int> scans; ///< the number of the scan of each point; empty if not given
+  double spacing = 1.;             ///< to count lengths in; where the spacing varies, of one part
 
   /// Distances are unsigned as a rule; the square root of the mean square is the error.
   double error_of(const Points& smoothed) const

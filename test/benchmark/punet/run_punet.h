@@ -39,7 +39,7 @@ class Punet_table {
     Vectors normals;
     for (const Point_3& p : on_mesh)
       normals.push_back(c.surface->closest(p).normal);
-    return smooth_with_normals(c.noisy, normals).points;
+    return smooth_with_layers(c.noisy, normals);
   }
 
   static Row measure(const Punet_case& c)

@@ -18,6 +18,7 @@ struct Scan_settings {
   bool edge_beams = false;  ///< whether beams have a width, so that some meet two surfaces
   bool two_surveys = false; ///< two registered to each other, of every other position each
   bool gives_normals = false;
+  bool gives_scans = false; ///< the number of the survey of each point
 };
 
 /// What is scanned, and from where: shapes have a radius of 1 around the origin.
@@ -182,6 +183,9 @@ public:
     }
     if (m_settings.gives_normals)
       give_normals(cloud);
+    if (m_settings.gives_scans)
+      for (const Beam& beam : m_beams)
+        cloud.scans.push_back(m_settings.two_surveys ? beam.position % 2 : beam.position);
     return cloud;
   }
 

@@ -102,11 +102,16 @@ public:
     t.name = "registration 1, normals";
     t.registration = 1.;
     s.gives_normals = t.gives_normals = s.two_surveys = t.two_surveys = true;
-    Comparison_table table("Registered scans with normals");
-    for_each_scan({s, t}, [&](const Test_cloud& cloud) {
-      table.add(cloud, Comparison(cloud, Rivals::jets_and_bilateral));
-    });
-    targets.mean_at_most(.8, 2, "the same, registered scans with normals", table.ratios());
+    for (const bool gives_scans : {false, true}) {
+      s.gives_scans = t.gives_scans = gives_scans;
+      const std::string what =
+          gives_scans ? "scans with normals and their numbers" : "scans with normals";
+      Comparison_table table("Registered " + what);
+      for_each_scan({s, t}, [&](const Test_cloud& cloud) {
+        table.add(cloud, Comparison(cloud, Rivals::jets_and_bilateral));
+      });
+      targets.mean_at_most(.8, 2, "the same, registered " + what, table.ratios());
+    }
   }
 
   /// Scans with the little noise of a good scanner, and without any. Where there is none, there is

@@ -62,8 +62,13 @@ public:
         neighbors.clear();
         for (const Neighbor& neighbor : query(sites[i]))
           neighbors.push_back(neighbor.index);
-        if (!sides.empty())
+        if (!sides.empty()) {
           look_at_sides(evidence[i], tree.points(), sites[i], neighbors, sides);
+          // the two sheets of a wall are no registration error
+          const auto is_opposite = [&](std::uint32_t j) { return sides[j] * sides[sites[i]] < 0.; };
+          neighbors.erase(std::remove_if(neighbors.begin(), neighbors.end(), is_opposite),
+                          neighbors.end());
+        }
         if (!scans.empty())
           evidence[i].scans =
               scan_evidence(tree.points(), sites[i], neighbors.data(), neighbors.size(), scans);
