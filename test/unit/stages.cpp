@@ -348,7 +348,7 @@ BOOST_AUTO_TEST_CASE(thin_parts_are_distinguished_from_noise)
     internal::Neighbor_graph graph(tree, {60}, loops);
     const double layer = (thin ? std::sqrt(5.) : 1.) * sigma;
     const std::vector<internal::Local_parameters> parts = {
-        {layer, spacing, 60, 12, .6, false, false, 0., Diffusivity(0.)}};
+        {layer, spacing, 60, 12, .6, {}, Diffusivity(0.)}};
     internal::Surface_state state = {{}, {}, {}, parts, 0., {}};
     state.normals.assign(points.size(), Vector_3(0, 0, 1));
     state.noise.assign(points.size(), layer);
