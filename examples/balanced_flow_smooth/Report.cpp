@@ -166,8 +166,7 @@ void print_summary(std::ostream& out, const File_report& r, const Settings& sett
       << (s.noise ? "given noise       " : "estimated noise   ") << r.smoothing->noise << "\n"
       << "neighbors         " << neighbors_to_text(*r.smoothing)
       << (s.k || s.is_paper_estimator() ? "" : " (fewer where two sheets are close)") << "\n"
-      << "iterations        " << s.iterations
-      << (s.is_paper_estimator() ? "" : " at most, until nothing moves") << "\n";
+      << "iterations        " << s.iterations << "\n";
   if (!is_dry_run) {
     out << "moved             " << movement_to_text(*r.smoothing, s.makes_steps()) << "\n";
     const std::string hint = advice(*r.smoothing, s);

@@ -10,6 +10,7 @@
 #include "point_files/invalid_points.h"
 #include "point_files/point_file_io.h"
 #include "smooth.h"
+#include "smooth_in_blocks.h"
 
 #include <CGAL/Real_timer.h>
 
@@ -22,6 +23,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <filesystem>
+#include <functional>
 #include <iostream>
 #include <memory>
 #include <new>
@@ -46,10 +48,25 @@ std::unique_ptr<point_files::Point_file> read(const std::filesystem::path& input
       {settings.normals, settings.columns, settings.invalid, settings.zeros_are_invalid});
 }
 
+/// Smooths one file that may be larger than the memory.
+/// \return whether it is done: it is not after Ctrl-C
+bool run_in_blocks(const Settings& settings, File_report& report)
+{
+  CGAL::Real_timer timer;
+  timer.start();
+  Progress_bar progress(!settings.quiet && isatty(STDERR_FILENO));
+  if (!balanced_flow_blocks::smooth_in_blocks(settings, report, std::ref(progress)))
+    return false;
+  report.seconds = timer.time();
+  return true;
+}
+
 /// Smooths one file.
 /// \return whether it is done: it is not after Ctrl-C
 bool run(const Settings& settings, File_report& report)
 {
+  if (!settings.memory.empty())
+    return run_in_blocks(settings, report);
   const auto& [input, output, keeps_format] = report.job;
   const point_files::Format* output_format = settings.output_format;
   if (!output_format && !keeps_format)

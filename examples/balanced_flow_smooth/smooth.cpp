@@ -5,6 +5,7 @@
 #include <CGAL/Point_set_flow/Any_flow.h>
 #include <CGAL/Point_set_flow/Covariance_curvature.h>
 #include <CGAL/Point_set_flow/analyze_point_set.h>
+#include <CGAL/Point_set_flow/smooth_block.h>
 #include <CGAL/balanced_flow_smooth_point_set.h>
 #include <CGAL/property_map.h>
 
@@ -136,6 +137,25 @@ double smooth(std::vector<Point_3>& points, std::vector<Vector_3>& normals,
   });
   kept.restore(normals);
   return movement;
+}
+
+bool smooth_block(std::vector<Point_3>& points, std::vector<Vector_3>& normals,
+                  std::size_t block_size, const flows::Coordinate_frame& frame, Halo& halo,
+                  const Smoothing_settings& s, const std::function<bool(double)>& callback,
+                  flows::Smoothing_report& report)
+{
+  typedef boost::counting_iterator<std::size_t> Index;
+  CGAL::Iterator_range<Index> range(Index(0), Index(points.size()));
+  const Kept_normals kept(normals, s);
+  const flows::Block_status status = with_parameters(s, [&](const auto& own) {
+    const auto all = with_cgal(own.smoothing_report(std::ref(report)), s, callback)
+                         .point_map(CGAL::make_property_map(points))
+                         .normal_map(Optional_normal_map{&normals});
+    return s.k ? flows::smooth_block<Concurrency_tag>(range, block_size, frame, halo, *s.k, all)
+               : flows::smooth_block<Concurrency_tag>(range, block_size, frame, halo, all);
+  });
+  kept.restore(normals);
+  return status != flows::Block_status::HALO_TOO_SMALL;
 }
 
 flows::Smoothing_report analyze(const std::vector<Point_3>& points, const Smoothing_settings& s,

@@ -4,6 +4,7 @@
 
 #include "point_files/Format.h"
 
+#include <cstddef>
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -45,6 +46,10 @@ struct Settings {
   std::string report; // the file of the JSON report, "-" for standard output, empty for none
   unsigned int threads = 0;
   bool normals = false, quiet = false, dry_run = false;
+  // beyond memory
+  std::string memory;         // "2G"; empty: all points are in memory
+  unsigned int processes = 1; // that smooth blocks
+  std::size_t block_size = 0; // points, 0: as memory allows
 
   bool points_to_standard_output() const
   {
