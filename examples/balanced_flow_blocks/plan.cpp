@@ -145,7 +145,7 @@ bool is_same(const Manifest& planned, const Plan_request& request)
   return true;
 }
 
-void check_names(const std::vector<Input_file>& inputs)
+void check_names(const std::vector<Input_file>& inputs, bool may_replace)
 {
   std::set<std::filesystem::path> outputs;
   for (const Input_file& input : inputs) {
@@ -153,7 +153,7 @@ void check_names(const std::vector<Input_file>& inputs)
       throw std::runtime_error("two inputs would be written to " + input.output.string());
     std::error_code is_new;
     for (const Input_file& other : inputs)
-      if (std::filesystem::equivalent(input.output, other.path, is_new))
+      if (!may_replace && std::filesystem::equivalent(input.output, other.path, is_new))
         throw std::runtime_error("the output " + input.output.string() + " is an input, too");
   }
 }
@@ -169,8 +169,9 @@ void make_empty(const std::filesystem::path& directory)
 Plan_request request_of(const Settings& settings, const std::filesystem::path& directory,
                         std::vector<std::pair<std::filesystem::path, std::filesystem::path>> files)
 {
-  return {directory, std::move(files), settings, memory_from_text(settings.memory),
-          settings.block_size};
+  return {
+      directory, std::move(files), settings, memory_from_text(settings.memory), settings.block_size,
+      false};
 }
 
 std::vector<std::filesystem::path> files_of(const std::vector<std::filesystem::path>& inputs)
@@ -214,7 +215,7 @@ Manifest plan(const Plan_request& request, const Progress& progress)
   manifest.block_size =
       request.block_size != 0 ? request.block_size : points_of_block(request.memory);
   auto files = open(request, manifest);
-  check_names(manifest.inputs);
+  check_names(manifest.inputs, request.may_replace_inputs);
   make_empty(directory / "blocks"); // of a run that was killed
   make_empty(directory / "results");
 

@@ -19,7 +19,8 @@ struct Plan_request {
   std::vector<std::pair<std::filesystem::path, std::filesystem::path>> files;
   Settings settings;
   std::uint64_t memory = 0;
-  std::uint64_t block_size = 0; // 0: as memory allows
+  std::uint64_t block_size = 0;    // 0: as memory allows
+  bool may_replace_inputs = false; // then `join` can be done once only
 };
 
 /// \param files see `Plan_request::files`

@@ -51,9 +51,10 @@ bool smooth_in_blocks(const balanced_flow_smooth::Settings& settings,
   const Progress progress(callback);
   try {
     const Scratch_directory directory;
-    const Manifest manifest =
-        plan(request_of(settings, directory.path(), {{report.job.input, report.job.output}}),
-             progress.part(0., .1));
+    Plan_request request =
+        request_of(settings, directory.path(), {{report.job.input, report.job.output}});
+    request.may_replace_inputs = true; // the command line was checked
+    const Manifest manifest = plan(request, progress.part(0., .1));
     smooth_all(manifest, settings.processes, progress.part(.1, .95));
     report.smoothing = join(manifest, progress.part(.95, 1.));
     report.format = report.output_format = manifest.inputs.front().format;

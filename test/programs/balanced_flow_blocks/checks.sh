@@ -28,4 +28,4 @@ with open("scan.xyz", "w") as out:
     for far in (200, -3000):
         print(f"{far} {far} 5 -1 far", file=out)
 END
-sed -n '1~5p' scan.xyz >> scan.xyz # duplicates, far away in the file
+sed -n '1~5p' scan.xyz > again.xyz && cat again.xyz >> scan.xyz # duplicates, far away in the file

@@ -38,7 +38,7 @@ done
 # binary PLY with normals, of float and double, and LAS
 awk 'BEGIN { print "x,y,z,nx,ny,nz,intensity" } { printf "%s,%s,%s,0,%s,1,%d\n", $1, $2, $3, NR % 3 ? .1 : 0, NR % 256 }' scan.xyz > scan.csv
 check "PLY" "$smooth" -q --iterations 0 scan.csv scan.ply
-check "LAS" "$smooth" -q --iterations 0 scan.xyz scan.las
+check "LAS" "$smooth" -q --iterations 0 scan.csv scan.las
 python3 - <<'END'
 import random, struct
 random.seed(4)
