@@ -84,7 +84,7 @@ Smoothing_report Report_sum::report() const
 }
 
 void Block_result::write(const Manifest& manifest, std::size_t block, const Records& points,
-                         const Smoothing_report& report)
+                         const Smoothing_report& report, const Effort& effort)
 {
   Json head;
   head["plan"] = manifest.checksum;
@@ -93,6 +93,8 @@ void Block_result::write(const Manifest& manifest, std::size_t block, const Reco
   head["has_normals"] = points.has_normals();
   head["checksum"] = Checksum::of(points.bytes(), points.byte_count());
   head["report"] = to_json(report);
+  head["points_at_hand"] = effort.points_at_hand;
+  head["trials"] = effort.trials;
   point_files::Temporary_file file(manifest.result_file(block));
   file.stream() << head.dump() << '\n';
   file.stream().write(points.bytes(), std::streamsize(points.byte_count()));
@@ -106,7 +108,7 @@ bool Block_result::exists(const Manifest& manifest, std::size_t block)
 }
 
 Block_result::Block_result(const Manifest& manifest, std::size_t block)
-    : m_path(manifest.result_file(block))
+    : m_path(manifest.result_file(block)), m_number_of_points(manifest.number_of_points)
 {
   std::ifstream in(m_path, std::ios::binary);
   std::string line;
@@ -132,6 +134,10 @@ Block_result::Block_result(const Manifest& manifest, std::size_t block)
 
 void Block_result::for_each(const std::function<void(const Records&)>& visit) const
 {
+  const auto refuse = [&] {
+    throw std::runtime_error(m_path.string() +
+                             " is damaged: remove it, and smooth its block again");
+  };
   const Disk_file file(m_path, Disk_file::READ);
   Records records(m_has_normals);
   Checksum checksum;
@@ -139,11 +145,13 @@ void Block_result::for_each(const std::function<void(const Records&)>& visit) co
     records.resize(std::size_t((std::min)(m_count - i, std::uint64_t(1) << 16)));
     file.read(m_begin + i * records.record_size(), records.bytes(), records.byte_count());
     checksum.add(records.bytes(), records.byte_count());
+    for (std::size_t j = 0; j < records.size(); ++j)
+      if (records.number(j) >= m_number_of_points)
+        refuse();
     visit(records);
   }
   if (checksum.value() != m_checksum)
-    throw std::runtime_error(m_path.string() +
-                             " is damaged: remove it, and smooth its block again");
+    refuse();
 }
 
 } // namespace balanced_flow_blocks

@@ -3,11 +3,13 @@
 #include "Block_result.h"
 #include "Interrupt.h"
 #include "Manifest.h"
+#include "Manual.h"
 #include "Progress_bar.h"
 #include "command_line/Command_line.h"
+#include "command_line/print_completion.h"
+#include "command_line/print_manual.h"
 #include "join.h"
 #include "plan.h"
-#include "print_help.h"
 #include "run.h"
 #include "smooth_one.h"
 
@@ -40,8 +42,6 @@ using balanced_flow_smooth::Usage_error;
 namespace {
 
 enum Exit_code { SUCCESS = 0, BAD_USAGE = 1, BAD_FILE = 2, SIGNALLED = 128 };
-
-constexpr const char* program = "balanced-flow-blocks";
 
 /// What is asked for
 struct Request {
@@ -88,7 +88,7 @@ void expect_words(const Request& request, std::size_t count)
 nlohmann::ordered_json describe(const Manifest& manifest)
 {
   nlohmann::ordered_json json;
-  json["program"] = program;
+  json["program"] = program_name;
   json["version"] = POINT_SET_FLOW_VERSION;
   json["directory"] = manifest.directory.string();
   json["points"] = manifest.number_of_points;
@@ -166,7 +166,25 @@ void run_command(const Request& request, const std::filesystem::path& output_dir
     tell(manifest, request.settings, report);
 }
 
-void complain(const std::string& what) { std::cerr << program << ": " << what << std::endl; }
+/// Prints what was asked for in place of smoothing.
+/// \return whether anything was
+bool print_information(const Command_line& command_line)
+{
+  if (command_line.has("help"))
+    print_help(std::cout, manual_page(), command_line);
+  else if (command_line.has("version"))
+    std::cout << program_name << ' ' << POINT_SET_FLOW_VERSION << std::endl;
+  else if (command_line.has("print-man"))
+    print_manual_page(std::cout, manual_page(), command_line, command_line.text("print-man"));
+  else if (command_line.has("print-completion"))
+    print_completion(std::cout, command_line, {program_name, commands},
+                     command_line.text("print-completion"));
+  else
+    return false;
+  return true;
+}
+
+void complain(const std::string& what) { std::cerr << program_name << ": " << what << std::endl; }
 
 } // namespace
 
@@ -177,14 +195,8 @@ int main(int argc, char** argv)
   try {
     Command_line command_line;
     command_line.read(argc, argv);
-    if (command_line.has("help")) {
-      print_help(std::cout, command_line);
+    if (print_information(command_line))
       return SUCCESS;
-    }
-    if (command_line.has("version")) {
-      std::cout << program << ' ' << POINT_SET_FLOW_VERSION << std::endl;
-      return SUCCESS;
-    }
     const std::string output_directory =
         command_line.has("output-dir") ? command_line.text("output-dir") : "";
     const Request request = read_request(command_line);

@@ -106,6 +106,7 @@ class Smoothing {
 public:
   Records result;
   Report_sum report;
+  Effort effort;
 
   Smoothing(const Manifest& manifest, std::size_t block, const Progress& progress)
       : m_manifest(manifest), m_progress(progress),
@@ -129,9 +130,10 @@ private:
     Excerpt excerpt(m_manifest);
     for (std::size_t page = first; page < last; ++page)
       excerpt.read(page);
+    const double usual = usual_spacing(first, last);
     for (std::size_t page = first; page < last; ++page)
       excerpt.require_near(m_manifest.pages[page].box,
-                           halo_width * m_manifest.pages[page].spacing());
+                           halo_width * (std::min)(m_manifest.pages[page].spacing(), 2. * usual));
     const std::size_t block_size = excerpt.points.size();
     const auto share = [&](double done) {
       return (double(first - m_first) + done * double(last - first)) / m_pages;
@@ -141,6 +143,8 @@ private:
       if (at_hand > points_at_hand(m_manifest.memory) && last - first > 1)
         return false;
       excerpt.read_required();
+      effort.points_at_hand = (std::max)(effort.points_at_hand, excerpt.points.size());
+      ++effort.trials;
       const Progress progress = m_progress.part(share(0.), share(1.));
       std::optional<Interrupted> interrupted;
       Smoothing_report found;
@@ -168,6 +172,17 @@ private:
       if (trial == 0)
         halo_width = (std::min)(1.15 * halo_width, most);
     }
+  }
+
+  /// The median over pages: the boxes of some are large because of points far away.
+  double usual_spacing(std::size_t first, std::size_t last) const
+  {
+    std::vector<double> spacings;
+    for (std::size_t page = first; page < last; ++page)
+      spacings.push_back(m_manifest.pages[page].spacing());
+    const auto middle = spacings.begin() + std::ptrdiff_t(spacings.size() / 2);
+    std::nth_element(spacings.begin(), middle, spacings.end());
+    return *middle;
   }
 
   void keep(const Excerpt& excerpt, std::size_t count)
@@ -198,7 +213,8 @@ void smooth_one(const Manifest& manifest, std::size_t block, const Progress& pro
   const Block& pages = manifest.blocks[block];
   Smoothing smoothing(manifest, block, progress);
   smoothing(pages.first_page, pages.first_page + pages.page_count);
-  Block_result::write(manifest, block, smoothing.result, smoothing.report.report());
+  Block_result::write(manifest, block, smoothing.result, smoothing.report.report(),
+                      smoothing.effort);
 }
 
 } // namespace balanced_flow_blocks

@@ -50,8 +50,15 @@ with open("mesh.ply", "wb") as out:
     for i in range(n):
         out.write(struct.pack(">Bfffh", i % 256, i / 50, random.random(), random.gauss(0, .05), -i))
     out.write(struct.pack(">Biii", 3, 0, 1, 2) * 2)
+for name, at in ("scan", 0), ("two", .01):
+    with open(f"{name}.part", "w") as out:
+        out.write("60\n50\n1 1 5\n1 0 0\n0 1 0\n0 0 1\n1 0 0 0\n0 1 0 0\n0 0 1 0\n0 0 0 1\n")
+        for i in range(3000):
+            x, y, z = i // 50 / 20 + at, i % 50 / 20 + at, random.gauss(0, .01)
+            out.write("0 0 0 0.5\n" if i % 70 == 3 else f"{x:.5f} {y:.5f} {z:.5f} 0.{i % 10}\n")
 END
-for file in scan.csv scan.ply scan.las mesh.ply; do
+cat scan.part two.part > scan.ptx
+for file in scan.csv scan.ply scan.las mesh.ply scan.ptx; do
   check "$file in memory" "$smooth" -q $file expected.$file
   check "$file" "$blocks" run -q --block-size 2500 run.$file $file
   check "$file, the result" cmp run.$file/smoothed/$file expected.$file

@@ -45,10 +45,10 @@ check "disk full, no result" [ ! -e full/results/0.result ]
 check "disk full, nothing is left" [ -z "$(ls full/results)" ]
 
 # damage
-damage() { # damage FILE: one bit in the middle
+damage() { # damage FILE [BYTE]: one bit of it, by default in the middle; bytes count from the end
   python3 -c "
 b = bytearray(open('$1', 'rb').read())
-b[len(b) // 2] ^= 1
+b[-${2:-len(b) // 2}] ^= 64
 open('$1', 'wb').write(b)"
 }
 damaged() { rm -rf damaged && cp -r whole damaged; }
@@ -56,8 +56,10 @@ damaged && rm damaged/results/* && damage damaged/blocks/0.points
 check "damaged points" fails_with 2 "0.points is damaged" "$blocks" smooth -q damaged 0
 damaged && rm damaged/results/* && truncate -s -8 damaged/blocks/0.points
 check "points that are cut off" fails_with 2 "0.points is damaged" "$blocks" smooth -q damaged 0
-damaged && damage damaged/results/0.result
-check "a damaged result" fails_with 2 "0.result is damaged" "$blocks" join -q damaged
+for byte in 1 2 8 9 16 40 5000; do # a record ends with the number of the point
+  damaged && damage damaged/results/0.result $byte
+  check "a damaged result, byte $byte" fails_with 2 "0.result is damaged" "$blocks" join -q damaged
+done
 damaged && truncate -s -8 damaged/results/0.result
 check "a result that is cut off" fails_with 2 "0.result can not be used: it is not complete" "$blocks" join -q damaged
 damaged && damage damaged/pages

@@ -4,6 +4,7 @@
 
 #include <CGAL/license/Point_set_flow.h>
 
+#include <CGAL/Point_set_flow/Block_status.h>
 #include <CGAL/Point_set_flow/internal/flow/Halo_check.h>
 #include <CGAL/Point_set_flow/internal/smooth_point_set.h>
 #include <CGAL/Iterator_range.h>
@@ -20,14 +21,6 @@
 
 namespace CGAL {
 namespace Point_set_flow {
-
-/// \ingroup PkgPointSetFlowFunctions
-/// What became of a block, see `smooth_block()`
-enum class Block_status {
-  SMOOTHED,       ///< the points of the block are written
-  HALO_TOO_SMALL, ///< the result would depend on points that are not there; nothing is written
-  CANCELED        ///< the callback said no; nothing is written
-};
 
 namespace internal {
 

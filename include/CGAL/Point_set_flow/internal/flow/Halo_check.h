@@ -6,6 +6,7 @@
 
 #include <CGAL/Point_set_flow/internal/neighbors/Neighbor_graph.h>
 #include <CGAL/Point_set_flow/internal/noise/Analyzed_points.h>
+#include <CGAL/number_type_config.h>
 
 #include <algorithm>
 #include <cmath>
@@ -45,7 +46,6 @@ public:
   {
     const Scale_map& map = m_points.scale_map();
     const Clearance& clearance = m_points.clearance();
-    Certainty::Search samples(map.certainty());
     bool is_certain = true;
     for (std::size_t i = begin; i < sites.size(); ++i) {
       const std::uint32_t site = sites[i], part = m_points.part_of()[site];
@@ -55,22 +55,28 @@ public:
                                             : searched_radius(graph.size(i), m_search.k_of(site),
                                                               graph.radius(i), m_search.radius);
       if (clearance.holds(site, (std::max)(radius, to_sample)) &&
-          map.certainty().is_certain(part) && samples.is_certain(p, to_sample))
+          map.certainty().is_certain(part) && map.certainty().is_certain(p, to_sample))
         continue;
       is_certain = false;
       m_missing.push_back(
-          {site, guess(site, graph.size(i), graph.radius(i), rings_left) + to_sample});
+          {site, guess(site, graph.size(i), graph.radius(i), to_sample, rings_left)});
     }
     return is_certain;
   }
 
 private:
-  /// How far from a site points may have a say in the rings that are left, and in the pools there
-  double guess(std::uint32_t site, std::size_t k, double radius, std::size_t rings_left) const
+  /// How far from a site points may have a say in the rings that are left, and in the pools there. 0 for
+  /// points far from all others: only the place nearest to them counts, and the rings are guessed there.
+  double guess(std::uint32_t site, std::size_t k, double radius, double to_sample,
+               std::size_t rings_left) const
   {
-    const double poolings = 2., pooled = 65. * 18.; // samples, each one of so many points
+    const double poolings = 2., pooled = 65. * 18., far = 8.; // samples, each one of so many points
+    const double spacing = m_points.scale_map().scales()[m_points.part_of()[site]].spacing;
+    if (spacing > 0. && radius > far * spacing * std::sqrt(double(k + 1) / CGAL_PI))
+      return 0.;
     const double ring = radius > 0. ? radius : m_points.clearance().distance(site);
-    return ring * (double(rings_left + 1) + poolings * std::sqrt(pooled / double(k + 1)));
+    return ring * (double(rings_left + 1) + poolings * std::sqrt(pooled / double(k + 1))) +
+           to_sample;
   }
 };
 

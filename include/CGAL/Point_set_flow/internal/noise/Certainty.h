@@ -6,9 +6,10 @@
 
 #include <CGAL/Point_set_flow/internal/neighbors/Clearance.h>
 #include <CGAL/Point_set_flow/internal/neighbors/Neighbor_graph.h>
-#include <CGAL/Point_set_flow/internal/neighbors/Neighbor_query.h>
+#include <CGAL/Point_set_flow/internal/neighbors/Neighbor_tree.h>
 
-#include <cmath>
+#include <algorithm>
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -33,25 +34,19 @@ public:
   /// Whether it is certain what is found around a sample, if it is one.
   bool is_certain(std::size_t sample) const { return m_clearance.is_whole() || m_samples[sample]; }
 
-  /// One thread's search for points that may be samples or not
-  class Search {
-    std::optional<Neighbor_query> m_nearest;
-
-  public:
-    explicit Search(const Certainty& certainty)
-    {
-      if (certainty.m_tree)
-        m_nearest.emplace(*certainty.m_tree, 1);
-    }
-
-    /// Whether it is certain which points within a radius are samples.
-    bool is_certain(const Point_3& center, double radius)
-    {
-      const double rounding = 1e-12;
-      return !m_nearest ||
-             std::sqrt((*m_nearest)(center).front().squared_distance) > radius * (1. + rounding);
-    }
-  };
+  /// Whether it is certain which points within a radius are samples.
+  bool is_certain(const Point_3& center, double radius) const
+  {
+    const double rounding = 1e-12, squared_radius = radius * radius * (1. + rounding);
+    const std::array<double, 3> p = {{center.x(), center.y(), center.z()}};
+    return !m_tree || m_tree->visit_leaves(p, p, squared_radius,
+                                           [&](const std::size_t* begin, const std::size_t* end) {
+                                             return std::none_of(begin, end, [&](std::size_t i) {
+                                               return squared_distance(center, m_doubtful[i]) <=
+                                                      squared_radius;
+                                             });
+                                           });
+  }
 
   /// Finds the points that may be samples or not: three rings of neighbors have a say.
   /// \param graph of the `k` nearest neighbors
@@ -91,10 +86,9 @@ public:
     Array<char> pools(sites.size());
     m_samples.resize(sites.size());
     loops.for_each_chunk(sites.size(), [&](std::size_t begin, std::size_t end) {
-      Search search(*this);
       for (std::size_t i = begin; i < end; ++i) {
         const double radius = searched_radius(near.size(i), k, near.radius(i));
-        pools[i] = m_clearance.holds(sites[i], radius) && search.is_certain(points[i], radius);
+        pools[i] = m_clearance.holds(sites[i], radius) && is_certain(points[i], radius);
         m_samples[i] = m_clearance.holds(sites[i], measured[i]);
       }
     });
