@@ -7,7 +7,7 @@ set -eu
 cd "$(dirname "$0")/.."
 sh cmake/install_packages.sh g++ clang make cmake binutils libcgal-dev libcgal-demo libeigen3-dev libtbb-dev \
   libboost-test-dev libboost-program-options-dev liblzf-dev nlohmann-json3-dev python3 pkgconf \
-  pybind11-dev python3-dev python3-numpy python3-pytest
+  pybind11-dev python3-dev python3-numpy python3-pytest python3-distributed parallel
 # shellcheck disable=SC2046 # not in Debian 12, see test/laz.sh
 sh cmake/install_packages.sh $(apt-cache search --names-only '^liblaszip-dev$' | cut -d' ' -f1)
 

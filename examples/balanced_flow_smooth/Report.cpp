@@ -123,8 +123,7 @@ void print_summary(std::ostream& out, const Scene_report& r, const Settings& set
       << (s.noise ? "given noise       " : "estimated noise   ") << r.smoothing->noise << "\n"
       << "neighbors         " << neighbors_to_text(*r.smoothing)
       << (s.k || s.is_paper_estimator() ? "" : " (fewer where two sheets are close)") << "\n"
-      << "iterations        " << s.iterations
-      << (s.is_paper_estimator() ? "" : " at most, until nothing moves") << "\n";
+      << "iterations        " << s.iterations << "\n";
   if (!settings.dry_run)
     print_movement(out, *r.smoothing, s);
   else

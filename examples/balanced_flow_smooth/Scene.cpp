@@ -104,9 +104,9 @@ void Scene::give_back_normals(Point_file& file, std::size_t first,
 {
   for (std::size_t i = 0; i < file.normals.size(); ++i) {
     Vector_3& normal = file.normals[i];
-    const bool was_known = is_known(normal);
-    if (was_known ? !s.makes_steps() : !s.fills_normals)
+    if (keeps_normal(normal, s))
       continue;
+    const bool was_known = is_known(normal);
     normal = cloud.normals[first + i];
     if (!was_known && !file.sides.empty() && file.sides[i] * normal < 0.)
       normal = -normal; // also where the view grazes

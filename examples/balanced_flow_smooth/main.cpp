@@ -6,8 +6,10 @@
 #include "command_line/Manual.h"
 #include "command_line/print_completion.h"
 #include "command_line/print_manual.h"
+#include "memory_use.h"
 #include "run.h"
 #include "smooth.h"
+#include "smooth_in_blocks.h"
 
 #ifdef CGAL_LINKED_WITH_TBB
 #include <tbb/global_control.h>
@@ -93,13 +95,14 @@ int run_all(const Settings& settings)
 bool print_information(const Command_line& command_line)
 {
   if (command_line.has("help"))
-    print_help(std::cout, command_line);
+    print_help(std::cout, manual::page(), command_line);
   else if (command_line.has("version"))
     std::cout << program_name << ' ' << POINT_SET_FLOW_VERSION << std::endl;
   else if (command_line.has("print-man"))
-    print_manual_page(std::cout, command_line, command_line.text("print-man"));
+    print_manual_page(std::cout, manual::page(), command_line, command_line.text("print-man"));
   else if (command_line.has("print-completion"))
-    print_completion(std::cout, command_line, command_line.text("print-completion"));
+    print_completion(std::cout, command_line, {program_name, {}},
+                     command_line.text("print-completion"));
   else
     return false;
   return true;
@@ -123,6 +126,7 @@ int main(int argc, char** argv)
       limit.emplace(tbb::global_control::max_allowed_parallelism, settings.threads);
 #endif
     check(settings.smoothing);
+    balanced_flow_blocks::memory_from_text(settings.memory); // before any work
     return run_all(settings);
   }
   catch (const Usage_error& e) {

@@ -7,6 +7,7 @@
 #include "find_sides.h"
 #include "point_files/point_file_io.h"
 #include "point_files/write_point_files.h"
+#include "smooth_in_blocks.h"
 
 #include <CGAL/Real_timer.h>
 
@@ -15,6 +16,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <filesystem>
+#include <functional>
 #include <iostream>
 #include <memory>
 #include <utility>
@@ -113,10 +115,25 @@ private:
   }
 };
 
+/// Smooths a file that may be larger than the memory.
+/// \return whether it is done: it is not after Ctrl-C
+bool run_in_blocks(const Settings& settings, Scene_report& report)
+{
+  CGAL::Real_timer timer;
+  timer.start();
+  Progress_bar progress(!settings.quiet && isatty(STDERR_FILENO));
+  if (!balanced_flow_blocks::smooth_in_blocks(settings, report, std::ref(progress)))
+    return false;
+  report.seconds = timer.time();
+  return true;
+}
+
 } // namespace
 
 bool run(const Settings& settings, Scene_report& report)
 {
+  if (!settings.memory.empty())
+    return run_in_blocks(settings, report);
   Files files(settings, report.files);
   CGAL::Real_timer timer;
   timer.start();

@@ -2,10 +2,12 @@
 #include "smooth.h"
 
 #include "find_flow.h"
+#include "find_sides.h"
 
 #include <CGAL/Iterator_range.h>
 #include <CGAL/Point_set_flow/Covariance_curvature.h>
 #include <CGAL/Point_set_flow/analyze_point_set.h>
+#include <CGAL/Point_set_flow/smooth_block.h>
 #include <CGAL/balanced_flow_smooth_point_set.h>
 #include <CGAL/property_map.h>
 
@@ -116,6 +118,19 @@ void smooth(Cloud& cloud, const Index_range& range, const Smoothing_settings& s,
   });
 }
 
+bool smooth_block(Cloud& cloud, std::size_t block_size, const flows::Coordinate_frame& frame,
+                  Halo& halo, const Smoothing_settings& s, const Callback& callback,
+                  flows::Smoothing_report& report)
+{
+  Indices indices(Index(0), Index(cloud.points.size()));
+  const flows::Block_status status = with_parameters(s, [&](const auto& own) {
+    const auto all = with_cloud(own.smoothing_report(std::ref(report)), cloud, s, callback);
+    return s.k ? flows::smooth_block<Concurrency_tag>(indices, block_size, frame, halo, *s.k, all)
+               : flows::smooth_block<Concurrency_tag>(indices, block_size, frame, halo, all);
+  });
+  return status != flows::Block_status::HALO_TOO_SMALL;
+}
+
 flows::Smoothing_report analyze(const Cloud& cloud, const Smoothing_settings& s,
                                 const Callback& callback)
 {
@@ -125,6 +140,11 @@ flows::Smoothing_report analyze(const Cloud& cloud, const Smoothing_settings& s,
     return s.k ? flows::analyze_point_set<Concurrency_tag>(indices, *s.k, all)
                : flows::analyze_point_set<Concurrency_tag>(indices, all);
   });
+}
+
+bool keeps_normal(const point_files::Vector_3& normal, const Smoothing_settings& s)
+{
+  return is_known(normal) ? !s.makes_steps() : !s.fills_normals;
 }
 
 void check(const Smoothing_settings& s)

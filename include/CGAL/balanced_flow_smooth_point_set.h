@@ -135,7 +135,7 @@ namespace CGAL {
      \cgalParamNBegin{number_of_iterations}
        \cgalParamDescription{the number of steps of the flow; with `0` points stay at the start}
        \cgalParamType{unsigned int}
-       \cgalParamDefault{`5`, and `12` for `Covariance_curvature`; fewer if nothing moves}
+       \cgalParamDefault{`5`, and `12` for `Covariance_curvature`}
      \cgalParamNEnd
      \cgalParamNBegin{flow}
        \cgalParamDescription{(*) the flow, one step of which each iteration makes}

@@ -258,6 +258,34 @@ BOOST_AUTO_TEST_CASE(the_order_follows_space_at_any_scale)
   }
 }
 
+// So that a block of a point set comes out as in the whole
+BOOST_AUTO_TEST_CASE(some_of_the_points_have_the_order_that_they_have_among_all)
+{
+  std::mt19937 random(5);
+  std::uniform_real_distribution<double> uniform(-1., 1.);
+  Points points;
+  for (const double size : {1., 1e-3, 1e-200, 5e-324, 1e12})
+    for (int i = 0; i < 400; ++i)
+      points.emplace_back(size * uniform(random), size * uniform(random), size * uniform(random));
+  for (int i = 0; i < 100; ++i)
+    points.emplace_back(uniform(random), double(i % 2), -0.);
+  Loops loops(nullptr, 1.);
+  const internal::Spatial_order<CGAL::Sequential_tag> order(points, {}, loops);
+  for (const std::size_t share : {2u, 7u, 50u}) {
+    Points some, expected, found;
+    for (std::size_t i = 0; i < points.size(); ++i)
+      if (i % share == 0)
+        some.push_back(points[i]);
+    for (std::size_t i = 0; i < order.size(); ++i)
+      if (order[i] % share == 0)
+        expected.push_back(points[order[i]]);
+    const internal::Spatial_order<CGAL::Sequential_tag> of_some(some, {}, loops);
+    for (std::size_t i = 0; i < of_some.size(); ++i)
+      found.push_back(some[of_some[i]]);
+    BOOST_TEST((found == expected));
+  }
+}
+
 // Section 2.3, Fig. 3: variation measured on the prefiltered surface depends less on the noise
 BOOST_AUTO_TEST_CASE(the_prefilter_brings_the_variation_nearer_to_that_of_the_clean_surface)
 {

@@ -23,6 +23,7 @@ Command_line::Command_line()
   add_file_options(groups.emplace_back("Files"));
   add_report_options(groups.emplace_back("What to tell"));
   add_smoothing_options(groups.emplace_back("Smoothing"));
+  add_memory_options(groups.emplace_back("Beyond memory"));
   add_hidden_options(hidden);
 }
 
@@ -47,9 +48,26 @@ void Command_line::read(int argc, char** argv)
 
 Settings Command_line::settings()
 {
+  settings_without_jobs();
+  set_jobs();
+  if (m_settings.report == "-" && m_settings.points_to_standard_output())
+    throw Usage_error("the points go to standard output, so the report can not: use --json=FILE");
+  check_memory();
+  check_paths(m_settings);
+  return m_settings;
+}
+
+Settings Command_line::settings_without_jobs()
+{
   for (const char* count : {"neighbors", "iterations", "update-period", "threads"})
     if (has(count) && m_given[count].as<int>() < 0)
       throw Usage_error("--" + std::string(count) + " must not be negative");
+  if (m_jobs < 1 || m_jobs > 1024)
+    throw Usage_error("--jobs must be a number from 1 to 1024");
+  if (has("block-size") && m_block_size < 1)
+    throw Usage_error("--block-size must be positive");
+  m_settings.processes = unsigned(m_jobs);
+  m_settings.block_size = std::size_t(m_block_size);
   m_settings.threads = unsigned(m_threads);
   m_settings.input_format = point_files::find_format(m_format);
   m_settings.output_format = point_files::find_format(m_output_format);
@@ -59,11 +77,27 @@ Settings Command_line::settings()
                          : m_invalid == "drop" ? point_files::Invalid::DROP
                                                : point_files::Invalid::ERROR;
   set_smoothing();
-  set_jobs();
-  if (m_settings.report == "-" && m_settings.points_to_standard_output())
-    throw Usage_error("the points go to standard output, so the report can not: use --json=FILE");
-  check_paths(m_settings);
   return m_settings;
+}
+
+/// Points that are not all in memory are read twice, and keep format and number.
+void Command_line::check_memory() const
+{
+  if (m_settings.memory.empty()) {
+    if (has("jobs") || has("block-size"))
+      throw Usage_error("--jobs and --block-size need --memory");
+    return;
+  }
+  for (const char* option : {"output-format", "normals", "dry-run", "together"})
+    if (has(option) && !m_given[option].defaulted())
+      throw Usage_error("--memory and --" + std::string(option) + " exclude each other");
+  if (m_settings.invalid == point_files::Invalid::DROP)
+    throw Usage_error("with --memory, invalid points can be kept only");
+  for (const Job& job : m_settings.jobs)
+    if (job.input == "-" || job.output == "-")
+      throw Usage_error("with --memory, input and output are files");
+    else if (!job.keeps_format && job.input.extension() != job.output.extension())
+      throw Usage_error("with --memory, files keep their format");
 }
 
 void Command_line::set_columns()

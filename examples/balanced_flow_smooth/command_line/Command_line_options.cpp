@@ -110,6 +110,17 @@ void Command_line::add_smoothing_options(Option_group& group)
     ("threads", options::value(&m_threads)->value_name("N"), "number of threads, 0: all, which is the default");
 }
 
+void Command_line::add_memory_options(Option_group& group)
+{
+  group.add_options()
+    ("memory", options::value(&m_settings.memory)->value_name("SIZE"),
+     "smooth files that do not fit into memory, block by block in a directory for temporary files (TMPDIR); SIZE of "
+     "memory, say 2G, is used by each process")
+    ("jobs,j", options::value(&m_jobs)->value_name("N"), "number of processes that smooth blocks, by default 1")
+    ("block-size", options::value(&m_block_size)->value_name("N"),
+     "the largest number of points in a block, by default as many as suit the memory");
+}
+
 void Command_line::add_hidden_options(Option_group& group)
 {
   group.add_options()

@@ -2,6 +2,8 @@
 #ifndef BALANCED_FLOW_SMOOTH_MANUAL_H
 #define BALANCED_FLOW_SMOOTH_MANUAL_H
 
+#include "print_manual.h"
+
 #include <string>
 #include <utility>
 #include <vector>
@@ -121,6 +123,18 @@ inline const std::vector<std::pair<std::string, std::string>> examples = {
     {"find . -name '*.xyz' -exec balanced-flow-smooth -q --in-place {} +",
      "All below a directory."},
 };
+
+/// All of it
+inline Manual_page page()
+{
+  return {program_name,
+          summary,
+          synopsis,
+          description,
+          {{"Formats", formats, on_formats, true},
+           {"Exit status", exit_status, {}, true},
+           {"Examples", examples, {}, false}}};
+}
 
 } // namespace manual
 

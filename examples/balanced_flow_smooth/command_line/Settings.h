@@ -4,6 +4,7 @@
 
 #include "point_files/Format.h"
 
+#include <cstddef>
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -46,6 +47,10 @@ struct Settings {
   unsigned int threads = 0;
   bool together = false; // whether the files are scans that are smoothed as one
   bool normals = false, quiet = false, dry_run = false;
+  // beyond memory
+  std::string memory;         // "2G"; empty: all points are in memory
+  unsigned int processes = 1; // that smooth blocks
+  std::size_t block_size = 0; // points, 0: as memory allows
 
   bool points_to_standard_output() const
   {

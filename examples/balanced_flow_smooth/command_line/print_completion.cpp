@@ -3,6 +3,7 @@
 
 #include "Option_name.h"
 
+#include <algorithm>
 #include <functional>
 
 namespace balanced_flow_smooth {
@@ -32,11 +33,22 @@ std::string values_of(const options::option_description& option)
   return values;
 }
 
-void print_for_bash(std::ostream& out, const Command_line& command_line)
+std::string joined(const std::vector<std::string>& words)
 {
-  std::string all;
+  std::string text;
+  for (const std::string& word : words)
+    text += (text.empty() ? "" : " ") + word;
+  return text;
+}
+
+void print_for_bash(std::ostream& out, const Command_line& command_line,
+                    const Completed_program& program)
+{
+  std::string all, function = "_" + program.name;
+  std::replace(function.begin(), function.end(), '-', '_');
   out << "# SPDX-License-Identifier: GPL-3.0-or-later\n"
-         "_balanced_flow_smooth()\n{\n"
+      << function
+      << "()\n{\n"
          "  local cur=${COMP_WORDS[COMP_CWORD]} prev=${COMP_WORDS[COMP_CWORD-1]}\n"
          "  COMPREPLY=()\n"
          "  if [[ $cur == = ]]; then\n"
@@ -63,16 +75,22 @@ void print_for_bash(std::ostream& out, const Command_line& command_line)
   out << "  esac\n"
          "  if [[ $cur == -?* || $cur == - ]]; then\n"
          "    COMPREPLY=($(compgen -W '"
-      << all
-      << "' -- \"$cur\"))\n"
-         "  fi\n"
+      << all << "' -- \"$cur\"))\n";
+  if (!program.commands.empty())
+    out << "  elif ((COMP_CWORD == 1)); then\n"
+           "    COMPREPLY=($(compgen -W '"
+        << joined(program.commands) << "' -- \"$cur\"))\n";
+  out << "  fi\n"
          "} &&\n"
-         "  complete -o default -F _balanced_flow_smooth balanced-flow-smooth\n";
+         "  complete -o default -F "
+      << function << ' ' << program.name << '\n';
 }
 
-void print_for_zsh(std::ostream& out, const Command_line& command_line)
+void print_for_zsh(std::ostream& out, const Command_line& command_line,
+                   const Completed_program& program)
 {
-  out << "#compdef balanced-flow-smooth\n# SPDX-License-Identifier: GPL-3.0-or-later\n"
+  out << "#compdef " << program.name
+      << "\n# SPDX-License-Identifier: GPL-3.0-or-later\n"
          "_arguments -s";
   for_each_option(command_line, [&](const Option_name& name, const auto& option) {
     std::string text;
@@ -96,17 +114,23 @@ void print_for_zsh(std::ostream& out, const Command_line& command_line)
       out << name.long_name << suffix;
     out << "'[" << text << ']' << value << "'";
   });
+  if (!program.commands.empty())
+    out << " \\\n  '1:command:(" << joined(program.commands) << ")'";
   out << " \\\n  '*:file:_files'\n";
 }
 
-void print_for_fish(std::ostream& out, const Command_line& command_line)
+void print_for_fish(std::ostream& out, const Command_line& command_line,
+                    const Completed_program& program)
 {
   out << "# SPDX-License-Identifier: GPL-3.0-or-later\n";
+  if (!program.commands.empty())
+    out << "complete -c " << program.name << " -n __fish_use_subcommand -f -a '"
+        << joined(program.commands) << "'\n";
   for_each_option(command_line, [&](const Option_name& name, const auto& option) {
     std::string text;
     for (const char c : option.description())
       text += c == '\'' ? "\\'" : std::string(1, c);
-    out << "complete -c balanced-flow-smooth -l " << option.long_name();
+    out << "complete -c " << program.name << " -l " << option.long_name();
     if (!name.short_name.empty())
       out << " -s " << name.short_name[1];
     const std::string values = values_of(option);
@@ -122,14 +146,15 @@ void print_for_fish(std::ostream& out, const Command_line& command_line)
 
 } // namespace
 
-void print_completion(std::ostream& out, const Command_line& command_line, const std::string& shell)
+void print_completion(std::ostream& out, const Command_line& command_line,
+                      const Completed_program& program, const std::string& shell)
 {
   if (shell == "bash")
-    print_for_bash(out, command_line);
+    print_for_bash(out, command_line, program);
   else if (shell == "zsh")
-    print_for_zsh(out, command_line);
+    print_for_zsh(out, command_line, program);
   else
-    print_for_fish(out, command_line);
+    print_for_fish(out, command_line, program);
 }
 
 } // namespace balanced_flow_smooth

@@ -6,13 +6,20 @@
 
 #include <ostream>
 #include <string>
+#include <vector>
 
 namespace balanced_flow_smooth {
 
-/// Prints the script that completes command lines of the program.
+/// What completion has to know of a program besides its options
+struct Completed_program {
+  std::string name;
+  std::vector<std::string> commands; ///< of which the first word is one; empty if there are none
+};
+
+/// Prints the script that completes command lines of a program.
 /// \param shell bash, zsh or fish
 void print_completion(std::ostream& out, const Command_line& command_line,
-                      const std::string& shell);
+                      const Completed_program& program, const std::string& shell);
 
 } // namespace balanced_flow_smooth
 

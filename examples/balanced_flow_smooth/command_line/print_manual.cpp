@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "print_manual.h"
 
-#include "Manual.h"
 #include "Option_name.h"
 
+#include <algorithm>
+#include <cctype>
 #include <cstddef>
 #include <sstream>
 
@@ -57,6 +58,13 @@ std::string paragraph_to_roff(const std::string& text)
   return roff;
 }
 
+std::string capitals(std::string text)
+{
+  std::transform(text.begin(), text.end(), text.begin(),
+                 [](unsigned char c) { return char(std::toupper(c)); });
+  return text;
+}
+
 void print_options(std::ostream& out, const Command_line& command_line)
 {
   out << ".SH OPTIONS\n";
@@ -78,58 +86,56 @@ void print_options(std::ostream& out, const Command_line& command_line)
 
 } // namespace
 
-void print_help(std::ostream& out, const Command_line& command_line)
+void print_help(std::ostream& out, const Manual_page& page, const Command_line& command_line)
 {
   const char* before = "Usage: ";
-  for (const std::string& line : manual::synopsis) {
-    out << before << program_name << ' ' << line << '\n';
+  for (const std::string& line : page.synopsis) {
+    out << before << page.name << ' ' << line << '\n';
     before = "       ";
   }
-  for (const std::string& paragraph : manual::description)
+  for (const std::string& paragraph : page.description)
     out << '\n' << wrap(paragraph, 0);
   for (const Command_line::Option_group& group : command_line.groups)
     out << '\n' << group;
-  const auto print_terms = [&](const char* title, const auto& terms) {
-    out << '\n' << title << ":\n";
-    for (const auto& [term, text] : terms)
+  for (const Manual_page::Section& section : page.sections) {
+    if (!section.is_in_help)
+      continue;
+    out << '\n' << section.title << ":\n";
+    for (const auto& [term, text] : section.terms)
       out << "  " << term << std::string(10 - term.size(), ' ') << wrap(text, 12);
-  };
-  print_terms("Formats", manual::formats);
-  for (const std::string& paragraph : manual::on_formats)
-    out << '\n' << wrap(paragraph, 0);
-  print_terms("Exit status", manual::exit_status);
+    for (const std::string& paragraph : section.paragraphs)
+      out << '\n' << wrap(paragraph, 0);
+  }
 }
 
-void print_manual_page(std::ostream& out, const Command_line& command_line, const std::string& date)
+void print_manual_page(std::ostream& out, const Manual_page& page, const Command_line& command_line,
+                       const std::string& date)
 {
-  const std::string name = to_roff(program_name);
+  const std::string name = to_roff(page.name);
   out << ".\\\" SPDX-License-Identifier: GPL-3.0-or-later\n"
-      << ".TH BALANCED\\-FLOW\\-SMOOTH 1 \"" << date << "\" \"" << name << ' '
+      << ".TH " << to_roff(capitals(page.name)) << " 1 \"" << date << "\" \"" << name << ' '
       << POINT_SET_FLOW_VERSION << "\" \"User Commands\"\n"
       << ".SH NAME\n"
-      << name << " \\- " << to_roff(manual::summary) << "\n.SH SYNOPSIS\n";
+      << name << " \\- " << to_roff(page.summary) << "\n.SH SYNOPSIS\n";
   const char* between = "";
-  for (const std::string& line : manual::synopsis) {
+  for (const std::string& line : page.synopsis) {
     out << between << ".B " << name << "\n" << to_roff(line) << '\n';
     between = ".br\n";
   }
   out << ".SH DESCRIPTION\n";
   between = "";
-  for (const std::string& paragraph : manual::description) {
+  for (const std::string& paragraph : page.description) {
     out << between << paragraph_to_roff(paragraph);
     between = ".PP\n";
   }
   print_options(out, command_line);
-  const auto print_terms = [&](const char* title, const auto& terms) {
-    out << ".SH " << title << '\n';
-    for (const auto& [term, text] : terms)
+  for (const Manual_page::Section& section : page.sections) {
+    out << ".SH " << capitals(section.title) << '\n';
+    for (const auto& [term, text] : section.terms)
       out << ".TP\n.B " << to_roff(term) << '\n' << paragraph_to_roff(text);
-  };
-  print_terms("FORMATS", manual::formats);
-  for (const std::string& paragraph : manual::on_formats)
-    out << ".PP\n" << paragraph_to_roff(paragraph);
-  print_terms("EXIT STATUS", manual::exit_status);
-  print_terms("EXAMPLES", manual::examples);
+    for (const std::string& paragraph : section.paragraphs)
+      out << ".PP\n" << paragraph_to_roff(paragraph);
+  }
   out << ".SH SEE ALSO\n"
       << "C. Xiao, Y. Miao, S. Liu and Q. Peng,\n"
       << ".I A dynamic balanced flow for filtering point\\-sampled geometry,\n"

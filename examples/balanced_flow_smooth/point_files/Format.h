@@ -10,6 +10,7 @@
 namespace point_files {
 
 class Point_file;
+class Streamed_file;
 struct Target;
 
 /// What becomes of points that are none, with coordinates that are not finite or all 0. By default
@@ -47,6 +48,9 @@ struct Format {
   /// The same from a file on the disk, for those who need not have all of its bytes; may be null.
   std::unique_ptr<Point_file> (*read_path)(const std::filesystem::path& path,
                                            const Read_options& options) = nullptr;
+
+  /// Opens a file on the disk without reading its points; null if this one does not allow it. May be null.
+  std::unique_ptr<Streamed_file> (*stream)(const std::filesystem::path& path) = nullptr;
 
   /// Writes the points, normals and columns of a file of another family.
   void (*write)(const Target& target, const Point_file& file) = nullptr;

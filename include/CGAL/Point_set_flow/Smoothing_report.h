@@ -29,7 +29,7 @@ struct Smoothing_report {
   unsigned int fewest_neighbors = 0;
   /// the largest number of neighbors of a point
   unsigned int most_neighbors = 0;
-  /// the largest number of steps; fewer are made if nothing moves anymore
+  /// the number of steps
   unsigned int number_of_iterations = 0;
   /// \f$\sigma\f$ in multiples of the neighborhood radius; it is larger where a given `k` is smaller
   /// than suits the noise

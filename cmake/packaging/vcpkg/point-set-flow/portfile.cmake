@@ -18,7 +18,7 @@ vcpkg_cmake_install()
 vcpkg_cmake_config_fixup(PACKAGE_NAME PointSetFlow)
 vcpkg_fixup_pkgconfig()
 if("program" IN_LIST FEATURES)
-  vcpkg_copy_tools(TOOL_NAMES balanced-flow-smooth AUTO_CLEAN)
+  vcpkg_copy_tools(TOOL_NAMES balanced-flow-smooth balanced-flow-blocks AUTO_CLEAN)
 endif()
 
 file(INSTALL "${CURRENT_PORT_DIR}/usage" DESTINATION "${CURRENT_PACKAGES_DIR}/share/${PORT}")

@@ -2,14 +2,12 @@
 #include "Las_file.h"
 
 #include "las/Bytes.h"
-#include "las/Output.h"
 #include "las/Records.h"
+#include "las/Rewriting.h"
 
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
-#include <limits>
-#include <tuple>
 #include <utility>
 
 namespace point_files {
@@ -51,100 +49,15 @@ std::vector<Property> Las_file::columns() const
   return columns;
 }
 
-/// The coordinates of a point for its record; a coordinate that is the same stays the same.
-std::array<std::int32_t, 3> Las_file::new_integers(const char* record, std::size_t i) const
-{
-  std::array<std::int32_t, 3> integers;
-  for (std::size_t c = 0; c < 3; ++c) {
-    integers[c] = las::get<std::int32_t>(record + 4 * c);
-    if (points[i][int(c)] != m_header.grid.coordinate(integers[c], c))
-      integers[c] = m_header.grid.integer(points[i][int(c)], c, i);
-  }
-  return integers;
-}
-
-/// Finds out, before anything is written, whether all points can be written.
-Las_file::Change Las_file::find_change() const
-{
-  std::array<std::int32_t, 3> min, max;
-  min.fill((std::numeric_limits<std::int32_t>::max)());
-  max.fill((std::numeric_limits<std::int32_t>::min)());
-  Change change = {};
-  const auto reader = las::make_reader(m_input, m_header);
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    const char* const record = reader->next();
-    if (is_dropped(i)) {
-      const unsigned bits = m_header.point_format < 6 ? 7 : 15;
-      const unsigned number =
-          las::get<std::uint8_t>(record + 14) & bits; // of the return, from 1 on
-      if (number != 0)
-        ++change.dropped_returns[number - 1];
-      change.any = true;
-      continue;
-    }
-    const auto integers = new_integers(record, i);
-    for (std::size_t c = 0; c < 3; ++c) {
-      change.any = change.any || integers[c] != las::get<std::int32_t>(record + 4 * c);
-      min[c] = (std::min)(min[c], integers[c]);
-      max[c] = (std::max)(max[c], integers[c]);
-    }
-  }
-  for (std::size_t c = 0; c < 3; ++c)
-    std::tie(change.min[c], change.max[c]) =
-        std::minmax({m_header.grid.coordinate(min[c], c), m_header.grid.coordinate(max[c], c)});
-  return change;
-}
-
-/// Sets the bounds, and the counts if points are dropped.
-void Las_file::announce(const Change& change, std::string& header) const
-{
-  for (std::size_t c = 0; c < 3; ++c) {
-    las::put(&header[las::at::bounds + 16 * c], change.max[c]);
-    las::put(&header[las::at::bounds + 16 * c + 8], change.min[c]);
-  }
-  if (!drops_invalid)
-    return;
-  const auto subtract = [&](auto number, std::size_t place, std::uint64_t dropped) {
-    typedef decltype(number) Count;
-    const auto before = las::get<Count>(&header[place]); // 0 if the header does not tell it
-    las::put(&header[place], Count(before - (std::min)(std::uint64_t(before), dropped)));
-  };
-  subtract(std::uint32_t(), las::at::legacy_count, invalid.size());
-  for (std::size_t r = 0; r < 5; ++r)
-    subtract(std::uint32_t(), las::at::legacy_counts_by_return + 4 * r, change.dropped_returns[r]);
-  if (m_header.minor_version < 4)
-    return;
-  subtract(std::uint64_t(), las::at::count, invalid.size());
-  for (std::size_t r = 0; r < 15; ++r)
-    subtract(std::uint64_t(), las::at::counts_by_return + 8 * r, change.dropped_returns[r]);
-}
-
 void Las_file::write(const Target& target) const
 {
-  m_input.check_unchanged();
-  const Change change = find_change();
-  const bool is_laz = target.format.name == "laz";
-  if (!change.any && is_laz == m_header.is_compressed)
-    m_input.copy(0, m_input.size(), target.out);
-  else {
-    las::Frame frame(m_input, m_header, is_laz || m_header.is_compressed);
-    frame.count = number_of_points_to_write();
-    if (change.any)
-      announce(change, frame.header);
-    las::write_file(target, frame, [&](las::Record_writer& writer) {
-      const auto reader = las::make_reader(m_input, m_header);
-      for (std::size_t i = 0; i < points.size(); ++i) {
-        char* const record = reader->next();
-        if (is_dropped(i))
-          continue;
-        const auto integers = new_integers(record, i);
-        for (std::size_t c = 0; c < 3; ++c)
-          las::put(record + 4 * c, integers[c]);
-        writer.write(record);
-      }
-    });
+  las::Rewriting rewriting(m_input, m_header);
+  rewriting.point = [&](std::size_t i) { return points[i]; };
+  if (drops_invalid) {
+    rewriting.is_dropped = [&](std::size_t i) { return is_dropped(i); };
+    rewriting.number_of_dropped = invalid.size();
   }
-  m_input.check_unchanged();
+  rewriting.write(target);
 }
 
 } // namespace point_files

@@ -7,7 +7,6 @@
 #include "las/Header.h"
 #include "las/Input.h"
 
-#include <array>
 #include <string>
 #include <vector>
 
@@ -28,18 +27,6 @@ public:
   std::vector<Property> columns() const override;
   std::vector<std::string> losses() const override { return m_fields.losses(m_header); }
   Scalar coordinate_type() const override { return Scalar::DOUBLE; }
-
-private:
-  /// What is different in the records from what they were
-  struct Change {
-    bool any = false;
-    std::array<double, 3> min, max; // of all points that are written
-    std::array<std::uint64_t, 15> dropped_returns;
-  };
-
-  std::array<std::int32_t, 3> new_integers(const char* record, std::size_t i) const;
-  Change find_change() const;
-  void announce(const Change& change, std::string& header) const;
 };
 
 } // namespace point_files

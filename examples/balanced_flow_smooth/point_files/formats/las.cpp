@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // LAS, and with LASzip LAZ
 #include "Las_file.h"
+#include "Las_stream.h"
 #include "all_formats.h"
 #include "las/Laz_records.h"
 #include "las/New_las.h"
@@ -30,6 +31,7 @@ Format las_or_laz(const char* name)
                         const Read_options&) -> std::unique_ptr<Point_file> {
     return std::make_unique<Las_file>(las::Input(path));
   };
+  format.stream = open_las_stream;
   format.write = [](const Target& target, const Point_file& file) {
     las::New_las(file).write(target);
   };
@@ -58,7 +60,8 @@ Format laz_format()
   format.library = "LASzip";
   format.package = "liblaszip-dev in Debian 13 and Ubuntu 24.04";
   if (!las::has_laszip())
-    format.read = nullptr, format.read_path = nullptr, format.write = nullptr;
+    format.read = nullptr, format.read_path = nullptr, format.stream = nullptr,
+    format.write = nullptr;
   return format;
 }
 

@@ -3,6 +3,7 @@
 #include "../Record_cursor.h"
 #include "../write_rows.h"
 #include "Ply_header.h"
+#include "Ply_stream.h"
 #include "all_formats.h"
 
 #include <algorithm>
@@ -140,6 +141,7 @@ Format ply_format()
   format.read = [](std::string bytes, const Read_options&) -> std::unique_ptr<Point_file> {
     return std::make_unique<Raw_file>(parse(std::move(bytes)));
   };
+  format.stream = open_ply_stream;
   format.write = write_ply;
   return format;
 }

@@ -4,6 +4,7 @@
 
 #include <CGAL/license/Point_set_flow.h>
 
+#include <CGAL/Point_set_flow/Coordinate_frame.h>
 #include <CGAL/Point_set_flow/Core_kernel.h>
 #include <CGAL/Point_set_flow/internal/parallel/Array.h>
 #include <CGAL/Point_set_flow/internal/parallel/Loops.h>
@@ -17,13 +18,10 @@ namespace CGAL {
 namespace Point_set_flow {
 namespace internal {
 
-/// How the coordinates of the core follow from those of the caller: \f$(p - center) / unit\f$.
-///
-/// Moving the data to the origin keeps the digits of georeferenced points. The unit is 1 for any
-/// ordinary data and a power of 2 where squared distances would leave the range of `double`.
-struct Frame {
-  double center[3] = {0., 0., 0.};
-  double unit = 1.;
+/// How the coordinates of the core follow from those of the caller
+struct Frame : Coordinate_frame {
+  Frame() = default;
+  Frame(const Coordinate_frame& frame) : Coordinate_frame(frame) {}
 
   template <typename Kernel_point_3>
   Point_3 to_core(const Kernel_point_3& p) const
@@ -54,26 +52,20 @@ private:
 template <typename ConcurrencyTag>
 Frame find_frame(const Array<Point_3>& points, Loops<ConcurrencyTag>& loops)
 {
-  Frame frame;
-  double extents[3];
+  double median[3], low[3], high[3];
   const auto find = [&](std::size_t d, std::size_t) {
     Array<double> coordinates(points.size());
     for (std::size_t i = 0; i < points.size(); ++i)
       coordinates[i] = points[i][int(d)];
     const auto middle = coordinates.begin() + std::ptrdiff_t(points.size() / 2);
     std::nth_element(coordinates.begin(), middle, coordinates.end());
-    frame.center[d] = *middle;
-    extents[d] = 0.;
-    for (const double c : coordinates)
-      extents[d] = (std::max)(extents[d], std::abs(c / 2. - frame.center[d] / 2.));
+    median[d] = *middle;
+    low[d] = *std::min_element(coordinates.begin(), coordinates.end());
+    high[d] = *std::max_element(coordinates.begin(), coordinates.end());
   };
   loops.for_each_chunk(3, find, 1);
-  const double extent = (std::max)({extents[0], extents[1], extents[2]});
-  if (extent > 1e140) // no smaller than squares require
-    frame.unit = std::ldexp(1., std::ilogb(extent) - 465);
-  else if (extent != 0. && extent < 1e-100)
-    frame.unit = std::ldexp(1., (std::max)(std::ilogb(extent), -1020));
-  return frame;
+  const auto point = [](const double* p) { return Point_3(p[0], p[1], p[2]); };
+  return Coordinate_frame(point(median), point(low), point(high));
 }
 
 /// Brings a copy into the coordinates of the core.

@@ -49,15 +49,16 @@ Array<Point_3> copy_points(const PointRange& points, PointMap point_map,
 
 /// The points of the caller in the coordinates of the core.
 /// \param frame receives these coordinates
+/// \param given the frame, if it is not to be found
 /// \pre there are points
 template <typename Maps, typename ConcurrencyTag>
 Array<Point_3> copy_reference(const Maps& maps, Frame& frame, const Argument_check& check,
-                              Loops<ConcurrencyTag>& loops)
+                              Loops<ConcurrencyTag>& loops, const Coordinate_frame* given = nullptr)
 {
   loops.ask(); // before the caller's maps are read
   Array<Point_3> reference =
       copy_points<typename Maps::Kernel_point_3>(maps.points, maps.point_map, "points", check);
-  frame = find_frame(reference, loops);
+  frame = given ? Frame(*given) : find_frame(reference, loops);
   move_to_core(reference, frame);
   return reference;
 }
@@ -67,11 +68,13 @@ struct Input {
   Frame frame;
   Input_points points;
 
+  /// \param given the frame, if it is not to be found
   /// \pre there are points
   template <typename Maps, typename ConcurrencyTag>
-  Input(const Maps& maps, const Argument_check& check, Loops<ConcurrencyTag>& loops)
+  Input(const Maps& maps, const Argument_check& check, Loops<ConcurrencyTag>& loops,
+        const Coordinate_frame* given = nullptr)
   {
-    points.reference = copy_reference(maps, frame, check, loops);
+    points.reference = copy_reference(maps, frame, check, loops, given);
     if constexpr (Maps::has_constraints) {
       const auto map = parameters::get_parameter(maps.np, CGAL::internal_np::point_is_constrained);
       for (auto it = maps.points.begin(); it != maps.points.end(); ++it)

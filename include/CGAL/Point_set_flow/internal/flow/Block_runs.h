@@ -10,6 +10,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <numeric>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -83,7 +84,8 @@ public:
     const std::size_t n = points.buffer().size();
     if (n <= block_size) {
       m_loops.begin_stage(stage_costs::graph);
-      Block all = take_all(points.buffer(), points.part_of(), points.tree(), m_plan.search, m_loops);
+      Block all =
+          take_all(points.buffer(), points.part_of(), points.tree(), m_plan.search, m_loops);
       points.forget_points();
       run(all);
     }
@@ -91,12 +93,37 @@ public:
       run_in_turn(points, (block_size + chunk_size - 1) / chunk_size * chunk_size);
       points.forget_points();
     }
+    return take_result(n);
+  }
+
+  /// Runs the flow on one block of points of which some may be missing.
+  /// \param interior the sites of the block, ascending, which are those of the result
+  /// \param is_certain see `Block_cutter::cut_certain()`
+  /// \return nothing if the result is not certain
+  template <typename Is_certain>
+  std::optional<Flow_result> run_one(Analyzed_points& points,
+                                     const std::vector<std::uint32_t>& interior,
+                                     const Is_certain& is_certain)
+  {
+    m_loops.begin_stage(stage_costs::graph);
+    std::optional<Block> block =
+        Block_cutter(points.buffer(), points.part_of(), points.tree(), m_plan.search)
+            .cut_certain(interior, m_plan.number_of_rings(), is_certain, m_loops);
+    if (!block)
+      return std::nullopt;
+    points.forget_points();
+    run(*block);
+    return take_result(interior.size());
+  }
+
+private:
+  Flow_result take_result(std::size_t n)
+  {
     m_loops.set_share(1.);
     m_result.moved = std::accumulate(m_moved.begin(), m_moved.end(), 0.) / double(n);
     return std::move(m_result);
   }
 
-private:
   void run_in_turn(const Analyzed_points& points, std::size_t block_size)
   {
     const std::size_t n = points.buffer().size();

@@ -87,9 +87,7 @@ public:
       allocate_points();
       m_before.resize(m_block.points.size());
       m_before.swap(m_block.points);
-      step();
-      if (m_before == m_block.points) // nothing moves anymore
-        break;
+      step(); // also if nothing moves: whether that is so depends on where blocks end
     }
     allocate_points(); // without iterations
   }

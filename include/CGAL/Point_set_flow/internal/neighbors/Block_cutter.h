@@ -10,6 +10,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <optional>
 #include <vector>
 
 namespace CGAL {
@@ -42,8 +43,24 @@ public:
   Block operator()(const std::vector<std::uint32_t>& interior, std::size_t rings,
                    Loops<ConcurrencyTag>& loops)
   {
+    const auto all_is_certain = [](const auto&...) { return true; };
+    return *cut_certain(interior, rings, all_is_certain, loops);
+  }
+
+  /// Cuts a block out of points of which some may be missing.
+  /// \param is_certain called for each ring, from the interior on: `is_certain(sites, begin, graph, left)`
+  /// tells whether the sites from number `begin` on and their neighbors would be the same if no points
+  /// were missing. There are `left` rings still to come; those of the last one need no neighbors.
+  /// \return nothing if a ring is not certain
+  template <typename Is_certain, typename ConcurrencyTag>
+  std::optional<Block> cut_certain(const std::vector<std::uint32_t>& interior, std::size_t rings,
+                                   const Is_certain& is_certain, Loops<ConcurrencyTag>& loops)
+  {
     std::vector<std::uint32_t> sites = interior; // ring by ring
-    const Neighbor_graph graph = add_rings(sites, rings, loops);
+    const std::optional<Neighbor_graph> found = add_rings(sites, rings, is_certain, loops);
+    if (!found)
+      return std::nullopt;
+    const Neighbor_graph& graph = *found;
 
     // The block keeps the order of the point set, so that ties are broken and sums are taken in the
     // same way.
@@ -73,9 +90,10 @@ public:
 
 private:
   /// \return the neighbors of all sites but those of the last ring
-  template <typename ConcurrencyTag>
-  Neighbor_graph add_rings(std::vector<std::uint32_t>& sites, std::size_t rings,
-                           Loops<ConcurrencyTag>& loops)
+  template <typename Is_certain, typename ConcurrencyTag>
+  std::optional<Neighbor_graph> add_rings(std::vector<std::uint32_t>& sites, std::size_t rings,
+                                          const Is_certain& is_certain,
+                                          Loops<ConcurrencyTag>& loops)
   {
     for (const std::uint32_t site : sites)
       m_place[site] = 0;
@@ -84,6 +102,8 @@ private:
     for (std::size_t ring = 0; ring < rings && begin < sites.size(); ++ring) {
       const std::size_t end = sites.size();
       graph.add(m_tree, sites.data() + begin, sites.data() + end, m_search, loops);
+      if (!is_certain(sites, begin, graph, rings - ring))
+        return std::nullopt;
       for (std::size_t i = begin; i < end; ++i)
         for (std::size_t j = 0; j < graph.size(i); ++j) {
           const std::uint32_t neighbor = graph.neighbors(i)[j];
@@ -96,6 +116,8 @@ private:
       std::sort(sites.begin() + std::ptrdiff_t(end), sites.end());
       begin = end;
     }
+    if (!is_certain(sites, begin, graph, std::size_t(0)))
+      return std::nullopt;
     return graph;
   }
 };

@@ -18,8 +18,8 @@ namespace CGAL {
 namespace Point_set_flow {
 namespace internal {
 
-/// The points within some distance of a box around a group of points, side by side in memory, in the
-/// order of the tree.
+/// The points within some distance of a box around a group of points, side by side in memory, in their
+/// own order: sums over neighbors must not depend on how a tree splits, which points far away decide.
 class Candidates {
   const Neighbor_tree& m_tree;
   std::array<double, 3> m_low, m_high;
@@ -61,11 +61,14 @@ public:
   {
     m_reach = reach;
     m_count = 0;
-    return m_tree.visit_leaves(m_low, m_high, m_reach * m_reach,
-                               [&](const std::size_t* begin, const std::size_t* end) {
-                                 collect_near(begin, end);
-                                 return m_count <= most;
-                               });
+    const bool is_all = m_tree.visit_leaves(m_low, m_high, m_reach * m_reach,
+                                            [&](const std::size_t* begin, const std::size_t* end) {
+                                              collect_near(begin, end);
+                                              return m_count <= most;
+                                            });
+    if (is_all)
+      put_in_order();
+    return is_all;
   }
 
   void squared_distances(const Point_3& p, Eigen::ArrayXd& squared) const
@@ -84,14 +87,22 @@ private:
     m_sites.resize(size);
   }
 
+  void put_in_order()
+  {
+    std::sort(m_sites.begin(), m_sites.begin() + std::ptrdiff_t(m_count));
+    for (std::size_t j = 0; j < m_count; ++j) {
+      const Point_3& p = m_tree.points()[m_sites[j]];
+      m_x[Eigen::Index(j)] = p.x();
+      m_y[Eigen::Index(j)] = p.y();
+      m_z[Eigen::Index(j)] = p.z();
+    }
+  }
+
   void collect_near(const std::size_t* begin, const std::size_t* end)
   {
     const std::size_t size = m_count + std::size_t(end - begin);
     if (size > capacity())
       make_room(2 * size);
-    double* const xs = m_x.data();
-    double* const ys = m_y.data();
-    double* const zs = m_z.data();
     std::uint32_t* const sites = m_sites.data();
     const Point_3* const points = m_tree.points().data();
     const std::array<double, 3> low = m_low, high = m_high;
@@ -100,9 +111,6 @@ private:
     for (; begin != end; ++begin) {
       const Point_3& p = points[*begin];
       const double x = p.x(), y = p.y(), z = p.z();
-      xs[count] = x;
-      ys[count] = y;
-      zs[count] = z;
       sites[count] = static_cast<std::uint32_t>(*begin);
       const auto clamp = [](double c, double least, double most) {
         const double lower = c < least ? least : c;

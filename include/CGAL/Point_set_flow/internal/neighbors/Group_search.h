@@ -52,8 +52,7 @@ public:
   {}
 
   /// Calls `visit(neighbors, radius)` for each point of `[first, last)`, one after the other: its nearest
-  /// neighbors without itself, in an order that depends on the tree only, and the distance of the
-  /// farthest.
+  /// neighbors without itself, in the order of the points, and the distance of the farthest.
   template <typename Iterator, typename Visit>
   void operator()(Iterator first, Iterator last, const Visit& visit)
   {
@@ -164,7 +163,7 @@ private:
     return n - 1;
   }
 
-  /// The `k` nearest of those gathered, in the order in which they were collected
+  /// The `k` nearest of those gathered, in the order of the points
   void keep_nearest(std::size_t i)
   {
     for (std::size_t j = 0; j < m_within; ++j)

@@ -20,6 +20,7 @@ namespace internal {
 /// spacing. Smoothing, estimating and reporting begin here.
 class Analyzed_points {
   Point_buffer m_buffer;
+  Clearance m_clearance;
   std::optional<Neighbor_tree> m_tree;
   std::optional<Scale_map> m_scale_map;
   Array<std::uint32_t> m_part_of;
@@ -28,13 +29,14 @@ public:
   /// \param input is freed as soon as it is copied in order
   template <typename ConcurrencyTag>
   Analyzed_points(Input_points&& input, Loops<ConcurrencyTag>& loops)
-      : m_buffer(in_order(input, loops))
+      : m_buffer(in_order(input, loops)),
+        m_clearance(input.clearance, m_buffer.site_of, m_buffer.size())
   {
     input = Input_points(); // memory
     loops.begin_stage(stage_costs::tree);
     m_tree.emplace(m_buffer.reference, loops);
     loops.begin_stage(stage_costs::scale, Scale_map::number_of_loops + 1);
-    m_scale_map.emplace(*m_tree, m_buffer.sides, m_buffer.scans, loops);
+    m_scale_map.emplace(*m_tree, m_buffer.sides, m_buffer.scans, m_clearance, loops);
     m_buffer.scans = Array<std::uint32_t>(); // memory
     m_part_of = m_scale_map->nearest_samples(m_buffer.reference, loops);
   }
@@ -44,6 +46,7 @@ public:
 
   Point_buffer& buffer() { return m_buffer; }
   const Point_buffer& buffer() const { return m_buffer; }
+  const Clearance& clearance() const { return m_clearance; }
   /// \pre `forget_points()` was not called
   const Neighbor_tree& tree() const { return *m_tree; }
   /// \pre `forget_points()` was not called

@@ -12,6 +12,7 @@
 #include <CGAL/Point_set_flow/internal/noise/choose_samples.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -22,6 +23,7 @@ namespace internal {
 
 /// The noise and the spacing around each place, from the samples next to it.
 class Scale_map {
+  Certainty m_certainty;
   const std::vector<std::uint32_t> m_sites; // of the samples
   const Array<Point_3> m_points;            // of the samples
   const Neighbor_tree m_tree;               // of the samples
@@ -32,14 +34,17 @@ public:
 
   template <typename ConcurrencyTag>
   Scale_map(const Neighbor_tree& tree, const Array<Vector_3>& sides,
-            const Array<std::uint32_t>& scans, Loops<ConcurrencyTag>& loops)
-      : m_sites(choose_samples(tree, loops)), m_points(points_at(tree.points(), m_sites)),
-        m_tree(m_points, loops), m_scales(m_sites.size())
+            const Array<std::uint32_t>& scans, const Clearance& clearance,
+            Loops<ConcurrencyTag>& loops)
+      : m_certainty(clearance), m_sites(choose_samples(tree, m_certainty, loops)),
+        m_points(points_at(tree.points(), m_sites)), m_tree(m_points, loops),
+        m_scales(m_sites.size())
   {
     const std::size_t pooled = 64; // samples, besides the one in the middle
     const Neighbor_graph near(m_tree, {pooled, 0., {}}, loops);
     const Layer_evidence evidence(tree, m_sites, near, sides, scans, loops);
     std::vector<Residuals> residuals(m_sites.size());
+    Array<double> measured(m_sites.size());
     for_each_sample(loops, [&](std::size_t begin, std::size_t end) {
       // those on the other side do not count
       const std::size_t share = sides.empty() ? 1 : 2;
@@ -48,9 +53,10 @@ public:
       std::vector<Neighbor> neighborhood;
       Group_search(tree, nearest)(
           m_sites.begin() + std::ptrdiff_t(begin), m_sites.begin() + std::ptrdiff_t(end),
-          [&](const std::vector<std::uint32_t>& found, double) {
+          [&](const std::vector<std::uint32_t>& found, double farthest) {
             const std::uint32_t site = m_sites[i];
             const bool is_sided = evidence.layers(i).side_trust == Side_trust::TWO_SHEETS;
+            measured[i] = searched_radius(found.size(), nearest.k, farthest);
             neighborhood.assign(1, {0., site});
             for (const std::uint32_t j : found)
               if (!is_sided || sides[j] * sides[site] >= 0.)
@@ -72,6 +78,8 @@ public:
     steady(near, loops);
     for (std::size_t i = 0; i < m_scales.size(); ++i)
       m_scales[i].noise = evidence.with_registration_error(m_scales[i].noise, i);
+    const int poolings = sides.empty() ? 2 : 3; // of residuals, of noise; of what sides are trusted
+    m_certainty.check_pools(m_sites, m_points, measured, near, pooled, poolings, loops);
   }
 
   Scale_map(const Scale_map&) = delete; // the tree knows where the samples are
@@ -81,6 +89,14 @@ public:
   const std::vector<std::uint32_t>& sites() const { return m_sites; }
   /// around each sample
   const std::vector<Local_scale>& scales() const { return m_scales; }
+
+  const Certainty& certainty() const { return m_certainty; }
+
+  /// The distance of a point from a sample
+  double distance(const Point_3& p, std::size_t sample) const
+  {
+    return std::sqrt(squared_distance(p, m_points[sample]));
+  }
 
   /// the median over the samples
   double noise() const { return median_of(&Local_scale::noise); }

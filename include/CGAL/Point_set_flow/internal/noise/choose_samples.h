@@ -5,6 +5,7 @@
 #include <CGAL/license/Point_set_flow.h>
 
 #include <CGAL/Point_set_flow/internal/neighbors/Neighbor_graph.h>
+#include <CGAL/Point_set_flow/internal/noise/Certainty.h>
 
 #include <cmath>
 #include <cstddef>
@@ -19,11 +20,14 @@ namespace internal {
 /// neighbors' than that of each neighbor does. Which these are depends on the points around only, and
 /// not on how the data are translated, rotated, scaled or numbered; and they favor neither dense nor
 /// sparse places.
+/// \param certainty learns which choices are doubtful
 template <typename ConcurrencyTag>
-std::vector<std::uint32_t> choose_samples(const Neighbor_tree& tree, Loops<ConcurrencyTag>& loops)
+std::vector<std::uint32_t> choose_samples(const Neighbor_tree& tree, Certainty& certainty,
+                                          Loops<ConcurrencyTag>& loops)
 {
   const std::size_t n = tree.points().size(), few = 16;
   const Neighbor_graph graph(tree, {few, 0., {}}, loops);
+  certainty.check_choice(tree.points(), graph, few, loops);
   Array<double> deviation(n);
   const auto find_deviations = [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {

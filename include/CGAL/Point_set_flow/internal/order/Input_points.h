@@ -23,6 +23,7 @@ struct Input_points {
   Given_noise noise;
   Array<Vector_3> sides;      ///< unit normals, null where not known; empty if none is
   Array<std::uint32_t> scans; ///< empty if not given
+  Array<double> clearance;    ///< see `Clearance`; empty if the point set is whole
 };
 
 } // namespace internal

@@ -5,6 +5,7 @@
 #include <CGAL/license/Point_set_flow.h>
 
 #include <CGAL/Point_set_flow/Core_kernel.h>
+#include <CGAL/Point_set_flow/internal/order/Morton_curve.h>
 #include <CGAL/Point_set_flow/internal/parallel/Array.h>
 #include <CGAL/Point_set_flow/internal/parallel/Loops.h>
 
@@ -12,18 +13,17 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <tuple>
 
 namespace CGAL {
 namespace Point_set_flow {
 namespace internal {
 
-/// Numbers points along a space-filling curve, so that neighbors in space are mostly neighbors in
-/// memory. The order depends on the positions of the points only, not on that of the input, and
-/// makes duplicates adjacent.
+/// Numbers points along a Morton curve, so that neighbors in space are mostly neighbors in memory. Which
+/// of two points comes first depends on these two only: some of the points have the same order as among
+/// all. Duplicates are adjacent.
 ///
-/// The curve is that of Morton through a grid of the bounding box. Points that share a cell, which
-/// are many if there are clusters or a point far away, are ordered likewise in their own bounding box.
+/// Points that share a cell of the grid, which are many if there are clusters or a point far away, are
+/// sorted once more, in a finer grid.
 template <typename ConcurrencyTag>
 class Spatial_order {
   struct Keyed_index {
@@ -64,28 +64,23 @@ private:
         high[d] = (std::max)(high[d], c);
       }
     }
-    const double extent = (std::max)({high[0] - low[0], high[1] - low[1], high[2] - low[2]});
     const std::size_t small = 16;
-    if (std::size_t(last - first) <= small || !(extent > 0.)) {
+    if (std::size_t(last - first) <= small || low == high) {
       std::sort(first, last, [&](const Keyed_index& a, const Keyed_index& b) {
-        return coordinates(a.index) < coordinates(b.index);
+        return is_before(a.index, b.index);
       });
       return;
     }
 
-    const double last_cell = (1 << 21) - 1;
+    const Morton_cells cells(low, high);
     const auto find_keys = [&](std::size_t begin, std::size_t end) {
-      for (Iterator it = first + std::ptrdiff_t(begin); it != first + std::ptrdiff_t(end); ++it) {
-        const Point_3& p = m_points[it->index];
-        it->key = 0;
-        for (std::size_t d = 0; d < 3; ++d)
-          it->key |= spread(std::uint64_t((p[int(d)] - low[d]) / extent * last_cell)) << d;
-      }
+      for (Iterator it = first + std::ptrdiff_t(begin); it != first + std::ptrdiff_t(end); ++it)
+        it->key = cells.number(m_points[it->index]);
     };
     m_loops.for_each_chunk(std::size_t(last - first), find_keys);
     m_loops.sort(first, last);
 
-    // the first and the last point are in different cells: the recursion terminates
+    // not all points are in one cell: the recursion terminates
     for (Iterator begin = first; begin != last;) {
       const Iterator end = std::find_if(
           begin, last, [&](const Keyed_index& point) { return point.key != begin->key; });
@@ -95,19 +90,11 @@ private:
     }
   }
 
-  /// Moves the lowest 21 bits three places apart.
-  static std::uint64_t spread(std::uint64_t x)
+  bool is_before(std::uint32_t i, std::uint32_t j) const
   {
-    x = (x | x << 32) & 0x001f00000000ffff;
-    x = (x | x << 16) & 0x001f0000ff0000ff;
-    x = (x | x << 8) & 0x100f00f00f00f00f;
-    x = (x | x << 4) & 0x10c30c30c30c30c3;
-    return (x | x << 2) & 0x1249249249249249;
-  }
-
-  std::tuple<Point_3, Point_3> coordinates(std::uint32_t i) const
-  {
-    return {m_points[i], m_from.empty() ? m_points[i] : m_from[i]};
+    if (m_from.empty() || m_points[i] != m_points[j])
+      return is_before_on_morton_curve(m_points[i], m_points[j]);
+    return m_from[i] < m_from[j];
   }
 };
 

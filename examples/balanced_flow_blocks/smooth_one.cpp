@@ -1,0 +1,223 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "smooth_one.h"
+
+#include "Block_result.h"
+#include "Disk_file.h"
+#include "Page_tree.h"
+#include "memory_use.h"
+
+#include <algorithm>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+namespace balanced_flow_blocks {
+
+namespace {
+
+using point_files::Point_3;
+using point_files::Vector_3;
+
+/// How far a halo reaches as a rule, in spacings; more once it was not enough
+double halo_width = 90.;
+
+/// Points that are at hand: those of some pages, and of others that have a say
+class Excerpt : public balanced_flow_smooth::Halo {
+  const Manifest& m_manifest;
+  Page_tree m_tree;
+  std::vector<std::size_t> m_required; // pages that are to be read
+  std::vector<char> m_is_required;
+  Records m_records;
+
+public:
+  std::vector<Point_3> points;
+  std::vector<Vector_3> normals;
+  std::vector<std::uint64_t> numbers;
+
+  explicit Excerpt(const Manifest& manifest)
+      : m_manifest(manifest), m_tree(manifest.pages), m_is_required(manifest.pages.size()),
+        m_records(manifest.has_normals)
+  {}
+
+  double distance_to_missing(const Point_3& p) const override
+  {
+    return m_tree.distance_to_unread({p.x(), p.y(), p.z()});
+  }
+  void require(const Point_3& center, double radius) override
+  {
+    require_near(std::array<double, 3>{center.x(), center.y(), center.z()}, radius);
+  }
+
+  template <typename Place>
+  void require_near(const Place& place, double distance)
+  {
+    m_tree.for_each_unread(place, distance, [&](std::size_t page) {
+      if (!m_is_required[page])
+        m_required.push_back(page);
+      m_is_required[page] = 1;
+    });
+  }
+
+  std::uint64_t number_of_required_points() const
+  {
+    std::uint64_t count = 0;
+    for (const std::size_t page : m_required)
+      count += m_manifest.pages[page].count;
+    return count;
+  }
+
+  /// Reads the pages that are required.
+  void read_required()
+  {
+    std::sort(m_required.begin(), m_required.end());
+    for (const std::size_t page : m_required)
+      if (!m_tree.is_read(page))
+        read(page);
+    m_required.clear();
+  }
+
+  void read(std::size_t number)
+  {
+    const Page& page = m_manifest.pages[number];
+    const std::filesystem::path path = m_manifest.points_file(page.block);
+    const Disk_file file(path, Disk_file::READ);
+    m_records.resize(page.count);
+    file.read(page.first * m_records.record_size(), m_records.bytes(), m_records.byte_count());
+    if (Checksum::of(m_records.bytes(), m_records.byte_count()) != page.checksum)
+      throw std::runtime_error(path.string() + " is damaged: plan again, in a new directory");
+    for (std::size_t i = 0; i < m_records.size(); ++i) {
+      points.emplace_back(m_records.value(i, 0), m_records.value(i, 1), m_records.value(i, 2));
+      if (m_manifest.has_normals)
+        normals.emplace_back(m_records.value(i, 3), m_records.value(i, 4), m_records.value(i, 5));
+      numbers.push_back(m_records.number(i));
+    }
+    m_tree.set_read(number);
+  }
+};
+
+/// Smooths the pages of a block, in parts if so many points do not fit into memory.
+class Smoothing {
+  const Manifest& m_manifest;
+  const Progress& m_progress;
+  const double m_pages; // of the block
+  std::size_t m_first = 0;
+
+public:
+  Records result;
+  Report_sum report;
+  Effort effort;
+
+  Smoothing(const Manifest& manifest, std::size_t block, const Progress& progress)
+      : m_manifest(manifest), m_progress(progress),
+        m_pages(double(manifest.blocks[block].page_count)),
+        m_first(manifest.blocks[block].first_page), result(manifest.writes_normals)
+  {}
+
+  void operator()(std::size_t first, std::size_t last)
+  {
+    if (smooth_at_once(first, last))
+      return;
+    const std::size_t middle = first + (last - first) / 2;
+    (*this)(first, middle);
+    (*this)(middle, last);
+  }
+
+private:
+  /// \return whether there was enough memory
+  bool smooth_at_once(std::size_t first, std::size_t last)
+  {
+    Excerpt excerpt(m_manifest);
+    for (std::size_t page = first; page < last; ++page)
+      excerpt.read(page);
+    const double usual = usual_spacing(first, last);
+    for (std::size_t page = first; page < last; ++page)
+      excerpt.require_near(m_manifest.pages[page].box,
+                           halo_width * (std::min)(m_manifest.pages[page].spacing(), 2. * usual));
+    const std::size_t block_size = excerpt.points.size();
+    const auto share = [&](double done) {
+      return (double(first - m_first) + done * double(last - first)) / m_pages;
+    };
+    for (int trial = 0;; ++trial) {
+      const std::uint64_t at_hand = excerpt.points.size() + excerpt.number_of_required_points();
+      if (at_hand > points_at_hand(m_manifest.memory) && last - first > 1)
+        return false;
+      excerpt.read_required();
+      effort.points_at_hand = (std::max)(effort.points_at_hand, excerpt.points.size());
+      ++effort.trials;
+      const Progress progress = m_progress.part(share(0.), share(1.));
+      std::optional<Interrupted> interrupted;
+      Smoothing_report found;
+      balanced_flow_smooth::Cloud cloud{excerpt.points, excerpt.normals, {}, {}};
+      const bool is_done = balanced_flow_smooth::smooth_block(
+          cloud, block_size, m_manifest.frame, excerpt, m_manifest.settings.smoothing,
+          [&](double done) {
+            try {
+              progress(done);
+            }
+            catch (const Interrupted& e) {
+              interrupted = e;
+            }
+            return !interrupted;
+          },
+          found);
+      if (interrupted)
+        throw *interrupted;
+      if (is_done) {
+        report.add(found);
+        keep(excerpt, cloud, block_size);
+        return true;
+      }
+      const double most = 150.;
+      if (trial == 0)
+        halo_width = (std::min)(1.15 * halo_width, most);
+    }
+  }
+
+  /// The median over pages: the boxes of some are large because of points far away.
+  double usual_spacing(std::size_t first, std::size_t last) const
+  {
+    std::vector<double> spacings;
+    for (std::size_t page = first; page < last; ++page)
+      spacings.push_back(m_manifest.pages[page].spacing());
+    const auto middle = spacings.begin() + std::ptrdiff_t(spacings.size() / 2);
+    std::nth_element(spacings.begin(), middle, spacings.end());
+    return *middle;
+  }
+
+  void keep(const Excerpt& excerpt, const balanced_flow_smooth::Cloud& cloud, std::size_t count)
+  {
+    const std::size_t before = result.size();
+    result.resize(before + count);
+    for (std::size_t i = 0; i < count; ++i) {
+      for (std::size_t d = 0; d < 3; ++d) {
+        result.set_value(before + i, d, cloud.points[i][int(d)]);
+        if (m_manifest.writes_normals) {
+          const bool stays =
+              balanced_flow_smooth::keeps_normal(excerpt.normals[i], m_manifest.settings.smoothing);
+          result.set_value(before + i, d + 3, (stays ? excerpt.normals : cloud.normals)[i][int(d)]);
+        }
+      }
+      result.set_number(before + i, excerpt.numbers[i]);
+    }
+  }
+};
+
+} // namespace
+
+void smooth_one(const Manifest& manifest, std::size_t block, const Progress& progress)
+{
+  if (block >= manifest.blocks.size())
+    throw std::runtime_error("there is no block " + std::to_string(block) +
+                             ": their numbers are 0 to " +
+                             std::to_string(manifest.blocks.size() - 1));
+  if (Block_result::exists(manifest, block))
+    return;
+  const Block& pages = manifest.blocks[block];
+  Smoothing smoothing(manifest, block, progress);
+  smoothing(pages.first_page, pages.first_page + pages.page_count);
+  Block_result::write(manifest, block, smoothing.result, smoothing.report.report(),
+                      smoothing.effort);
+}
+
+} // namespace balanced_flow_blocks
