@@ -64,14 +64,18 @@ void Raw_file::number_scans()
   }
 }
 
+bool Raw_file::has_integer_normals() const
+{
+  const Layout& layout = m_file.layout;
+  return layout.has_normals() && is_integer(layout.properties()[layout.normals()[0]].type);
+}
+
 void Raw_file::for_each_record(bool with_values, const Visitor& visit) const
 {
   const Layout& layout = m_file.layout;
   const std::vector<Property>& properties = layout.properties();
   const std::vector<std::size_t> others =
       with_values ? layout.others() : std::vector<std::size_t>();
-  const bool has_integer_normals =
-      layout.has_normals() && is_integer(properties[layout.normals()[0]].type);
   Record record = {{0., 0., 0.}, {0., 0., 0.}, std::vector<Number>(others.size())};
   for_each_fields([&](const auto& cursor, const std::vector<Field>& fields, std::size_t,
                       const Block& block, std::size_t) {
@@ -81,7 +85,7 @@ void Raw_file::for_each_record(bool with_values, const Visitor& visit) const
     std::copy(shared.begin(), shared.end(), record.coordinates);
     for (std::size_t c = 0; layout.has_normals() && c < 3; ++c)
       record.normal[c] = value(layout.normals()[c]);
-    if (has_integer_normals) {
+    if (has_integer_normals()) {
       const double length = length_of_normal(cursor, fields);
       for (double& n : record.normal)
         n = length != 0. ? n / length : 0.;

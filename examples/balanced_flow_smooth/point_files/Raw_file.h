@@ -91,6 +91,7 @@ private:
   void write_head(const Block& block, std::size_t before, bool with_new_normals, Output& out) const;
   void drop_record(std::size_t begin, std::size_t end, Output& out) const;
   const Column_types& column_types() const;
+  bool has_integer_normals() const;
   void find_sides();
   void number_scans();
 };

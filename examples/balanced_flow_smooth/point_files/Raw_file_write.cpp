@@ -90,15 +90,17 @@ void Raw_file::write_record(const Cursor& cursor, const std::vector<Field>& fiel
     const Scan_frame::Triple before = coordinates(cursor, fields);
     point = is_same(point, frame->to_shared(before)) ? before : frame->to_own(point);
   }
+  const double length = has_integer_normals() ? length_of_normal(cursor, fields) : 0.;
+  const double unit = length != 0. ? length : 1.; // of normals
   for (const auto& [p, c] : m_changing) {
     const Scalar type = layout.properties()[p].type;
     const double before = cursor.value(fields[p], type);
     double now = c < 3 ? point[c] : normals[i][int(c) - 3];
+    if (is_same(now, c < 3 ? before : before / unit))
+      continue; // also what the type can not hold
     if (is_integer(type)) {
-      if (c >= 3) {
-        const double length = length_of_normal(cursor, fields);
+      if (c >= 3)
         now *= length != 0. ? length : round_to(type, HUGE_VAL);
-      }
       now = round_to(type, now);
     }
     if (is_same(now, before))

@@ -110,10 +110,21 @@ struct Cells {
   }
 };
 
-/// The separator that makes numbers of the first point
-char find_separator(const std::string& bytes, const Line& point)
+/// Those that split the header into names come first.
+std::string separators_by_header(const std::string& bytes, const Line& header)
 {
-  for (const char separator : separators) {
+  std::string sorted = separators;
+  if (header.number != 0)
+    std::stable_partition(sorted.begin(), sorted.end(), [&](char separator) {
+      return has_coordinates(Cells(bytes, header, separator).texts);
+    });
+  return sorted;
+}
+
+/// The separator that makes numbers of the first point
+char find_separator(const std::string& bytes, const Line& header, const Line& point)
+{
+  for (const char separator : separators_by_header(bytes, header)) {
     const std::vector<std::string> cells = Cells(bytes, point, separator).texts;
     const bool is_mixed = separator == '\t' && // with blanks: then both are the same
                           std::find(bytes.begin() + std::ptrdiff_t(point.field.begin),
@@ -195,7 +206,7 @@ Text_head read_text_head(const std::string& bytes, const std::vector<std::string
   head.header_line = lines.header.number;
   std::size_t width = 0;
   if (lines.point.number != 0) {
-    head.separator = find_separator(bytes, lines.point);
+    head.separator = find_separator(bytes, lines.header, lines.point);
     width = width_of(bytes, lines.point, head.separator);
     head.first_point = lines.point.field.begin;
     const std::size_t end = lines.point.field.end;
