@@ -20,7 +20,7 @@ using point_files::Point_3;
 using point_files::Vector_3;
 
 /// How far a halo reaches as a rule, in spacings; more once it was not enough
-double halo_width = 90.;
+double halo_width = 100.;
 
 /// Points that are at hand: those of some pages, and of others that have a say
 class Excerpt : public balanced_flow_smooth::Halo {

@@ -51,15 +51,16 @@ public:
       const std::uint32_t site = sites[i], part = m_points.part_of()[site];
       const Point_3& p = m_points.buffer().reference[site];
       const double to_sample = map.distance(p, part);
+      // the last ring needs no neighbors, and has none in the graph
+      const double found = rings_left == 0 ? 0. : graph.radius(i);
       const double radius = rings_left == 0 ? 0.
                                             : searched_radius(graph.size(i), m_search.k_of(site),
-                                                              graph.radius(i), m_search.radius);
+                                                              found, m_search.radius);
       if (clearance.holds(site, (std::max)(radius, to_sample)) &&
           map.certainty().is_certain(part) && map.certainty().is_certain(p, to_sample))
         continue;
       is_certain = false;
-      m_missing.push_back(
-          {site, guess(site, graph.size(i), graph.radius(i), to_sample, rings_left)});
+      m_missing.push_back({site, guess(site, found, rings_left, to_sample)});
     }
     return is_certain;
   }
@@ -67,16 +68,18 @@ public:
 private:
   /// How far from a site points may have a say in the rings that are left, and in the pools there. 0 for
   /// points far from all others: only the place nearest to them counts, and the rings are guessed there.
-  double guess(std::uint32_t site, std::size_t k, double radius, double to_sample,
-               std::size_t rings_left) const
+  /// \param radius of its neighborhood; 0 if not known
+  double guess(std::uint32_t site, double radius, std::size_t rings_left, double to_sample) const
   {
-    const double poolings = 2., pooled = 65. * 18., far = 8.; // samples, each one of so many points
+    const double poolings = 3., pooled = 65. * 18., far = 8.; // samples, each one of so many points
     const double spacing = m_points.scale_map().scales()[m_points.part_of()[site]].spacing;
-    if (spacing > 0. && radius > far * spacing * std::sqrt(double(k + 1) / CGAL_PI))
+    const double k = double(m_search.k_of(site)), usual = spacing * std::sqrt((k + 1.) / CGAL_PI);
+    if (usual > 0. && radius > far * usual)
       return 0.;
-    const double ring = radius > 0. ? radius : m_points.clearance().distance(site);
-    return ring * (double(rings_left + 1) + poolings * std::sqrt(pooled / double(k + 1))) +
-           to_sample;
+    const double clearance = m_points.clearance().distance(site), farther = 1.2;
+    const double ring = radius > 0. ? radius : usual > 0. ? usual : clearance;
+    const double ahead = ring * (double(rings_left + 1) + poolings * std::sqrt(pooled / (k + 1.)));
+    return (std::max)(ahead + to_sample, farther * clearance);
   }
 };
 
