@@ -69,13 +69,17 @@ Temporary_file::~Temporary_file()
 
 void Temporary_file::finish()
 {
+  if (m_is_finished)
+    return;
   m_out.close();
   if (!m_out || !synchronize(m_path))
     throw std::runtime_error("writing failed");
+  m_is_finished = true;
 }
 
 void Temporary_file::take_place(bool may_come_back)
 {
+  finish(); // or else what was not written would pass for the whole
   const auto status = std::filesystem::status(m_target);
   if (std::filesystem::exists(status) && !std::filesystem::is_regular_file(status))
     throw std::runtime_error("this is not a regular file"); // anymore

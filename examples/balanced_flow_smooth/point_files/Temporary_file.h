@@ -13,6 +13,7 @@ namespace point_files {
 class Temporary_file {
   std::filesystem::path m_target, m_path;
   std::ofstream m_out;
+  bool m_is_finished = false;
   bool m_is_exchanged = false; // whether the old file has the path of this one now
   bool m_is_new = false;       // whether there was no old file
 
@@ -30,7 +31,7 @@ public:
   /// Puts all that was written on the disk; throws `std::runtime_error` if that fails.
   void finish();
 
-  /// Replaces the target, at once.
+  /// Replaces the target, at once, when `finish()` is done.
   /// \param may_come_back whether `give_back_place()` may be called: the old file is kept until this
   /// one is destroyed, where the file system can exchange files
   void take_place(bool may_come_back = false);
