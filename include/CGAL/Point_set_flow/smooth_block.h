@@ -93,6 +93,7 @@ Block_status smooth_block(PointRange& points, std::size_t block_size, const Coor
 
    denoises a block as above, with a given number of neighbors.
 
+   \param points, block_size, frame, halo, np as above
    \param k number of neighbors of each point, at least 2
 */
 template <typename ConcurrencyTag, typename PointRange, typename Halo,
