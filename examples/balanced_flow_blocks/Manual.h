@@ -34,7 +34,7 @@ inline balanced_flow_smooth::Manual_page manual_page()
           "sorts the points of the inputs, which are files or directories of files, into blocks in "
           "DIR."},
          {"smooth",
-          "smooths one block, with as many other points as have a say. BLOCK is a number "
+          "smooths one block, with all other points on which it depends. BLOCK is a number "
           "from 0 on. Blocks can be smoothed in any order and by any number of processes."},
          {"join", "writes each input with its smoothed points to DIR/smoothed, or to the "
                   "--output-dir of plan."},

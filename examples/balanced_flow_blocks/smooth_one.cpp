@@ -22,7 +22,7 @@ using point_files::Vector_3;
 /// How far a halo reaches as a rule, in spacings; more once it was not enough
 double halo_width = 100.;
 
-/// Points that are at hand: those of some pages, and of others that have a say
+/// Points that are at hand: those of some pages, and of others on which the result depends
 class Excerpt : public balanced_flow_smooth::Halo {
   const Manifest& m_manifest;
   Page_tree m_tree;

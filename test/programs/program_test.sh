@@ -11,3 +11,13 @@ check() { # check "what" command...
   shift
   if "$@"; then echo "ok: $what"; else echo "FAILED: $what"; exit 1; fi
 }
+
+fails_with() { # fails_with code "part of the message" command...
+  local code=$1 message=$2 out status
+  shift 2
+  out=$("$@" 2>&1)
+  status=$?
+  [ "$status" = "$code" ] && [[ $out == *"$message"* ]] && return
+  echo "exit code $status (expected $code), output: $out (expected: $message)"
+  return 1
+}

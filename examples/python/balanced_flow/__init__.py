@@ -6,7 +6,7 @@
 
 `smooth` denoises points, `estimate_noise` estimates the standard deviation of their noise, and `analyze`
 reports what `smooth` would find and use. The result is that of the C++ function
-CGAL::balanced_flow_smooth_point_set(), to the last bit.
+CGAL::balanced_flow_smooth_point_set(), bitwise.
 """
 
 from __future__ import annotations

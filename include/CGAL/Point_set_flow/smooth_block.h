@@ -49,7 +49,7 @@ Coordinate_frame find_coordinate_frame(const PointRange& points,
    since points are missing on which the result depends. So a point set can be smoothed that fits into
    no memory, or on several machines.
 
-   The points that have a say are those within some rings of neighbors around the block, about 50 to 100
+   The result depends on the points within some rings of neighbors around the block, about 50 to 100
    spacings by default, and those around which noise and spacing are found there. Where they are is known
    only when they are looked for: each search must end before a place where points may be missing.
    `halo` tells where these places are, and learns what is missing.

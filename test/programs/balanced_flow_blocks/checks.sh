@@ -3,15 +3,6 @@
 . "$(dirname "$0")/../program_test.sh"
 blocks=$program
 
-fails_with() { # fails_with code "part of the message" command...
-  local code=$1 message=$2 out status
-  shift 2
-  out=$("$@" 2>&1)
-  status=$?
-  [ "$status" = "$code" ] && [[ $out == *"$message"* ]] && return
-  echo "exit code $status (expected $code), output: $out (expected: $message)"
-  return 1
-}
 number_of_blocks() { "$blocks" status --json "$1" | sed -n 's/.*"blocks": \([0-9]*\).*/\1/p' | head -n 1; }
 same_tree() { diff -r "$1" "$2"; }
 

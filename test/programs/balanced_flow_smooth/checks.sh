@@ -2,15 +2,6 @@
 # What the tests of the program balanced-flow-smooth share
 . "$(dirname "$0")/../program_test.sh"
 
-fails_with() { # fails_with code "part of the message" command...
-  local code=$1 message=$2 out status
-  shift 2
-  out=$("$@" 2>&1)
-  status=$?
-  [ "$status" = "$code" ] && [[ $out == *"$message"* ]] && return
-  echo "exit code $status (expected $code), output: $out (expected: $message)"
-  return 1
-}
 # the words of the lines from one word on, without comments
 words_from() { sed 's/\r//; /^#/d' "$2" | cut -d' ' -f"$1"-; }
 # some of the first three words of the lines differ

@@ -66,7 +66,7 @@ public:
   }
 
 private:
-  /// How far from a site points may have a say in the rings that are left, and in the pools there. 0 for
+  /// How far from a site the result may depend on points in the rings that are left, and in the pools there. 0 for
   /// points far from all others: only the place nearest to them counts, and the rings are guessed there.
   /// \param radius of its neighborhood; 0 if not known
   double guess(std::uint32_t site, double radius, std::size_t rings_left, double to_sample) const

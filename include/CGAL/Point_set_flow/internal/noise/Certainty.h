@@ -48,7 +48,7 @@ public:
                                            });
   }
 
-  /// Finds the points that may be samples or not: three rings of neighbors have a say.
+  /// Finds the points that may be samples or not: that depends on three rings of neighbors.
   /// \param graph of the `k` nearest neighbors
   template <typename ConcurrencyTag>
   void check_choice(const Array<Point_3>& points, const Neighbor_graph& graph, std::size_t k,
