@@ -111,9 +111,7 @@ Block_status smooth_block(PointRange& points, std::size_t block_size, const Coor
   auto block = make_range(points.begin(), std::next(points.begin(), std::ptrdiff_t(block_size)));
   typedef Caller_maps<decltype(block), NamedParameters> Block_maps;
   Block_maps block_maps(block, np, check);
-  const Wanted_results wanted = {maps.normal_map.has_value(), Maps::has_strength,
-                                 stays_in_neighborhood(flow) && stays_in_neighborhood(curvature) &&
-                                     !Maps::has_start};
+  const Wanted_results wanted = wanted_results(maps, flow, curvature);
   Loops<ConcurrencyTag> loops(read_callback(np), total_cost(parameters, flow, curvature, wanted));
   try {
     return loops.in_isolation([&] {

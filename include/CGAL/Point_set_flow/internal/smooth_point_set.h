@@ -23,6 +23,14 @@ namespace CGAL {
 namespace Point_set_flow {
 namespace internal {
 
+/// What the maps of the caller and the limit of the movement need besides the points
+template <typename Maps, typename Flow, typename Curvature>
+Wanted_results wanted_results(const Maps& maps, const Flow& flow, const Curvature& curvature)
+{
+  return {maps.normal_map.has_value(), Maps::has_strength,
+          stays_in_neighborhood(flow) && stays_in_neighborhood(curvature) && !Maps::has_start};
+}
+
 /// Smooths a point set, stage by stage: from the range and the maps of the caller to plain arrays,
 /// through the flow, and back. Nothing of the caller is written before the flow has ended.
 template <typename ConcurrencyTag, typename PointRange, typename NamedParameters>
@@ -39,9 +47,7 @@ double smooth_point_set(PointRange& points, const std::optional<unsigned int>& k
     write_report(Smoothing_report(), np);
     return 0.;
   }
-  const Wanted_results wanted = {maps.normal_map.has_value(), Maps::has_strength,
-                                 stays_in_neighborhood(flow) && stays_in_neighborhood(curvature) &&
-                                     !Maps::has_start};
+  const Wanted_results wanted = wanted_results(maps, flow, curvature);
   Loops<ConcurrencyTag> loops(read_callback(np), total_cost(parameters, flow, curvature, wanted));
   try {
     return loops.in_isolation([&] {

@@ -52,8 +52,8 @@ public:
 
 /// The part of the deviation of a neighborhood that is registration error.
 struct Scan_evidence {
-  double variance =
-      0.; ///< of the heights above a plane, what the scans explain; without bias, hence also negative
+  /// of the heights above a plane, what the scans explain; without bias, hence also negative
+  double variance = 0.;
   double share = 0.; ///< of it in the whole variance, 0 to 1
 };
 
