@@ -166,4 +166,15 @@ void Line_reader::fail(const std::string& reason) const
   throw std::runtime_error("line " + std::to_string(m_place.line) + ": " + reason);
 }
 
+std::string first_word(const std::string& bytes)
+{
+  Line_reader lines(Place{&bytes});
+  Field line;
+  std::vector<Field> words;
+  if (!lines.next(line))
+    return "";
+  lines.split(line, words);
+  return lines.text(words[0]);
+}
+
 } // namespace point_files

@@ -82,6 +82,9 @@ private:
 /// How many bytes a byte order mark takes at the beginning of a file in UTF-8; 0 if there is none.
 std::size_t size_of_mark(const std::string& bytes);
 
+/// The first word of a file, comments left out; empty if there is none
+std::string first_word(const std::string& bytes);
+
 } // namespace point_files
 
 #endif // POINT_FILES_LINE_READER_H

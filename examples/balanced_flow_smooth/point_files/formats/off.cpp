@@ -92,13 +92,7 @@ Format off_format()
   format.name = format.family = "off";
   format.columns_warning = "OFF has no names for properties, they become columns";
   format.recognizes = [](const std::string& bytes) {
-    Line_reader lines(Place{&bytes});
-    Field line;
-    std::vector<Field> words;
-    if (!lines.next(line))
-      return false;
-    lines.split(line, words);
-    return is_keyword(lines.text(words[0]));
+    return is_keyword(first_word(bytes));
   };
   format.read = [](std::string bytes, const Read_options&) -> std::unique_ptr<Point_file> {
     return std::make_unique<Raw_file>(parse(std::move(bytes)));

@@ -172,13 +172,7 @@ bool begins_with_header(const std::string& bytes)
 {
   if (bytes.compare(size_of_mark(bytes), 6, "# .PCD") == 0)
     return true;
-  Line_reader lines(Place{&bytes});
-  Field line;
-  std::vector<Field> words;
-  if (!lines.next(line))
-    return false;
-  lines.split(line, words);
-  return lines.text(words[0]) == "VERSION";
+  return first_word(bytes) == "VERSION";
 }
 
 } // namespace
