@@ -14,6 +14,15 @@ namespace CGAL {
 namespace Point_set_flow {
 
 /// \ingroup PkgPointSetFlowCurvature
+/// Whether the neighbors of a point are those of two sheets of the surface, and on which one the point is.
+struct Sheet_evidence {
+  double deviation = 0.;  ///< the standard deviation of the heights around the point
+  double excess = 0.;     ///< their excess kurtosis, negative for two sheets
+  float two_sheets = 0.f; ///< the logarithm of the odds that there are two
+  float side = 0.f; ///< the logarithm of the odds that the point is on the side to which its normal points
+};
+
+/// \ingroup PkgPointSetFlowCurvature
 /// What is known of a surface around a point, besides the points.
 struct Surface_estimate_3 {
   const Vector_3* normals = nullptr; ///< one for each point, or null
@@ -23,6 +32,10 @@ struct Surface_estimate_3 {
   /// for each point, a vector to the side of the surface on which it was measured, given or found; null
   /// vectors where no side is known or to be trusted; or null
   const Vector_3* sides = nullptr;
+  /// for each point, how far it was above the place where it is now before the flow, along its normal;
+  /// or null
+  const double* residuals = nullptr;
+  const Sheet_evidence* sheets = nullptr; ///< for each point, or null
 };
 
 /// \ingroup PkgPointSetFlowCurvature
@@ -86,6 +99,24 @@ public:
       return normal(j) * normal() < 0.;
     return other * m_surface.sides[m_center] < 0.;
   }
+
+  /// whether there is evidence of sheets: in `find_sheets()` only
+  bool has_sheets() const { return m_surface.sheets != nullptr; }
+  /// what the round before found of the point in the middle
+  /// \pre `has_sheets()`
+  const Sheet_evidence& sheets() const { return m_surface.sheets[m_center]; }
+  /// what the round before found of a neighbor
+  /// \pre `has_sheets()`
+  const Sheet_evidence& sheets(std::size_t j) const { return m_surface.sheets[m_neighbors[j]]; }
+
+  /// whether the residuals are known: in `correction()` only
+  bool has_residuals() const { return m_surface.residuals != nullptr; }
+  /// the height of the point in the middle before the flow above where it is now, along its normal
+  /// \pre `has_residuals()`
+  double residual() const { return m_surface.residuals[m_center]; }
+  /// the residual of a neighbor, along its own normal
+  /// \pre `has_residuals()`
+  double residual(std::size_t j) const { return m_surface.residuals[m_neighbors[j]]; }
 
   /// the standard deviation of the noise around the point, as estimated before the first step; 0
   /// unless the estimator declares `Uses_surface_estimate`

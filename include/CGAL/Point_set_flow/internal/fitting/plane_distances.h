@@ -75,6 +75,13 @@ struct Distance_moments {
 
   Distance_moments(double second_, double fourth_) : second(second_), fourth(fourth_) {}
 
+  /// The excess kurtosis; 0 where there is none, or where distances are out of the range of fourth powers
+  double excess() const
+  {
+    const double e = second > 0. ? fourth / (second * second) - 3. : 0.;
+    return std::isfinite(e) ? e : 0.;
+  }
+
   /// The moments are in spacings, to keep fourth powers in the range of `double`.
   /// \param mean of the \f$d_j\f$, in spacings: the height of the point above its neighbors
   /// \pre the normals of the neighborhood are known, and the spacing is positive

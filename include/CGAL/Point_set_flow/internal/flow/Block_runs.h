@@ -58,6 +58,8 @@ double total_cost(const Flow_parameters& parameters, const Flow& flow, const Cur
   return costs::analysis + costs::graph +
          (uses_surface_estimate ? costs::sheets + costs::shrink : 0.) +
          steps * (planes + costs::step) +
+         (Number_of_sheet_rounds<Curvature>::value + Number_of_corrections<Curvature>::value) *
+             costs::network +
          (int(wanted.normals) + int(wanted.feature_strength)) * costs::planes;
 }
 

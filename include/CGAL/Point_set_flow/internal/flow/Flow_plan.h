@@ -34,6 +34,8 @@ public:
   const bool is_k_given, is_noise_given;
   const Curvature_defaults defaults;
   const unsigned int number_of_iterations, update_period;
+  const unsigned int
+      number_of_rounds; ///< of the estimator besides the steps, each of which looks at all neighbors
   const double step_length;
   const std::size_t number_of_points, number_of_distinct_points;
   const double unit; ///< the length of 1 in the core, in the unit of the data
@@ -53,6 +55,8 @@ public:
         number_of_iterations(
             parameters.number_of_iterations.value_or(defaults.number_of_iterations)),
         update_period(parameters.update_period),
+        number_of_rounds(Number_of_sheet_rounds<Curvature>::value +
+                         Number_of_corrections<Curvature>::value),
         step_length(parameters.step_length.value_or(defaults.step_length)),
         number_of_points(points.buffer().site_of.size()),
         number_of_distinct_points(points.buffer().size()), unit(unit_),
@@ -81,7 +85,7 @@ public:
   std::size_t number_of_rings() const
   {
     const std::size_t steps = number_of_iterations, outputs = 1;
-    return uses_surface_estimate ? 2 * steps + 4 + outputs
+    return uses_surface_estimate ? 2 * steps + 4 + number_of_rounds + outputs
                                  : (is_prefiltered ? 2 : 1) * steps + outputs;
   }
 

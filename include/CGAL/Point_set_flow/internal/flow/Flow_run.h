@@ -7,7 +7,9 @@
 #include <CGAL/Point_set_flow/Covariance_curvature.h>
 #include <CGAL/Point_set_flow/flows.h>
 #include <CGAL/Point_set_flow/internal/flow/Flow_plan.h>
+#include <CGAL/Point_set_flow/internal/flow/corrections.h>
 #include <CGAL/Point_set_flow/internal/flow/prefilter.h>
+#include <CGAL/Point_set_flow/internal/flow/sheet_rounds.h>
 #include <CGAL/Point_set_flow/internal/flow/sides.h>
 #include <CGAL/Point_set_flow/internal/flow/tangent_planes.h>
 #include <CGAL/Point_set_flow/internal/neighbors/Block_cutter.h>
@@ -28,6 +30,8 @@ namespace internal {
 template <typename ConcurrencyTag, typename Flow, typename Curvature>
 class Flow_run {
   static constexpr bool uses_surface_estimate = Uses_surface_estimate<Curvature>::value;
+  static constexpr bool finds_sheets = Number_of_sheet_rounds<Curvature>::value > 0;
+  static constexpr bool is_corrected = Number_of_corrections<Curvature>::value > 0;
 
   const Flow_plan& m_plan;
   Block& m_block;
@@ -36,6 +40,7 @@ class Flow_run {
   Loops<ConcurrencyTag>& m_loops;
   Surface_state m_state;
   Array<Point_3> m_before; // the last step
+  Array<Point_3> m_input;  // empty if the result is not corrected
   // of the tangent planes of the current surface if the estimator knows the noise, else of the
   // prefiltered surface
   Array<double> m_variation;
@@ -64,6 +69,8 @@ public:
   void operator()()
   {
     m_variation.resize(m_block.reference.size());
+    if (is_corrected && m_plan.number_of_iterations > 0)
+      m_input = m_block.reference;
     Array<Point_3> filtered;
     for (unsigned int t = 0; t < m_plan.number_of_iterations; ++t) {
       if (m_plan.update_period != 0 && t != 0 && t % m_plan.update_period == 0)
@@ -90,6 +97,9 @@ public:
       step(); // also if nothing moves: whether that is so depends on where blocks end
     }
     allocate_points(); // without iterations
+    if constexpr (is_corrected)
+      if (m_plan.number_of_iterations > 0)
+        correct_result();
   }
 
   /// How far a point of the block moved in the last step
@@ -171,13 +181,34 @@ private:
   void adapt_neighborhoods()
   {
     m_loops.begin_stage(stage_costs::sheets, sheet_loops);
-    const Sheets sheets = fit_sheets(surface(m_block.current_points()), m_plan.defaults,
+    const Surface first = surface(m_block.current_points());
+    Array<signed char> sides;
+    Array<Distance_moments> moments = find_moments(first, sides, m_loops);
+    if constexpr (finds_sheets)
+      for (std::size_t i = 0; i < moments.size(); ++i)
+        m_state.sheets.push_back(
+            {std::sqrt(moments[i].second) * m_state.parameters(i).spacing, 0., 0.f, 0.f});
+    pool(m_block.graph, moments, m_loops);
+    if constexpr (finds_sheets) {
+      for (std::size_t i = 0; i < moments.size(); ++i)
+        m_state.sheets[i].excess = moments[i].excess();
+      find_sheets(first.points, m_block.graph, m_state, m_curvature, m_loops);
+    }
+    const Sheets sheets = fit_sheets(first, moments, std::move(sides), m_plan.defaults,
                                      m_state.noise, m_plan.is_noise_given, m_loops);
+    m_state.sheets = Array<Sheet_evidence>(); // memory
     take_found_sides(m_state, sheets.sides);
     if (!m_plan.is_k_given) {
       m_loops.begin_stage(stage_costs::shrink);
       m_block.graph.shrink(m_block.reference, sheets.sizes, m_loops);
     }
+  }
+
+  void correct_result()
+  {
+    const auto is_fixed = [&](std::size_t i) { return rest_reason(i) != Rest_reason::OTHER; };
+    correct(m_input, m_block.points, m_block.graph, m_state, m_curvature, is_fixed, m_loops);
+    m_input = Array<Point_3>(); // memory
   }
 
   bool is_isolated(std::size_t i) const

@@ -69,6 +69,20 @@ template <typename Curvature>
 struct Uses_surface_estimate<Curvature, std::void_t<typename Curvature::Uses_surface_estimate>>
     : std::bool_constant<Curvature::Uses_surface_estimate::value> {};
 
+/// How often an estimator corrects the result of the flow. Must be declared.
+template <typename Curvature, typename = void>
+struct Number_of_corrections : std::integral_constant<unsigned int, 0> {};
+template <typename Curvature>
+struct Number_of_corrections<Curvature, std::void_t<decltype(Curvature::number_of_corrections)>>
+    : std::integral_constant<unsigned int, Curvature::number_of_corrections> {};
+
+/// In how many rounds an estimator finds sheets. Must be declared.
+template <typename Curvature, typename = void>
+struct Number_of_sheet_rounds : std::integral_constant<unsigned int, 0> {};
+template <typename Curvature>
+struct Number_of_sheet_rounds<Curvature, std::void_t<decltype(Curvature::number_of_sheet_rounds)>>
+    : std::integral_constant<unsigned int, Curvature::number_of_sheet_rounds> {};
+
 /// The parameters that suit an estimator
 template <typename Curvature, typename = void>
 struct Defaults_of {

@@ -48,6 +48,8 @@ struct Surface_state {
   const std::vector<Local_parameters>& parts;
   double time = 0.;      ///< 0 in the first step, 1 in the last
   Array<Vector_3> sides; ///< given or found; null vectors where not known; empty if none is
+  Array<Sheet_evidence> sheets = {}; ///< empty if not needed
+  Array<double> residuals = {}; ///< what the flow took off, along the normals; empty if not needed
 
   /// Whether the side of a point is known: its neighbors on the opposite side are another sheet then, and
   /// layers on its own side are one surface scanned twice.
@@ -69,6 +71,8 @@ struct Surface_state {
     surface.spacing = parameters(i).spacing;
     surface.time = time;
     surface.sides = sides.empty() ? nullptr : sides.data();
+    surface.sheets = sheets.empty() ? nullptr : sheets.data();
+    surface.residuals = residuals.empty() ? nullptr : residuals.data();
     return surface;
   }
 };

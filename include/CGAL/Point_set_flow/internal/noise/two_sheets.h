@@ -12,6 +12,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <utility>
 
 namespace CGAL {
 namespace Point_set_flow {
@@ -22,12 +23,13 @@ namespace internal {
 // such a layer are bimodal, which their kurtosis shows: with the sheets at +-a and the noise s,
 //   variance = a^2 + s^2  and  excess kurtosis = -2 a^4 / (a^2 + s^2)^2.
 
-/// Averages over the neighbors: the kurtosis of a single neighborhood is mostly sampling error.
+/// Averages over the points around each one: the kurtosis of a single neighborhood is mostly sampling error.
 template <typename ConcurrencyTag>
 void pool(const Neighbor_graph& graph, Array<Distance_moments>& moments,
           Loops<ConcurrencyTag>& loops)
 {
   const std::size_t most = 64; // spread over the neighborhood
+  const int rounds = 3;
   Array<Distance_moments> pooled(moments.size());
   const auto average = [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
@@ -43,8 +45,10 @@ void pool(const Neighbor_graph& graph, Array<Distance_moments>& moments,
       pooled[i].fourth = sum.fourth / count;
     }
   };
-  loops.for_each_chunk(moments.size(), average);
-  moments.swap(pooled);
+  for (int i = 0; i < rounds; ++i) {
+    loops.for_each_chunk(moments.size(), average);
+    moments.swap(pooled);
+  }
 }
 
 /// What suits one point: the noise within its sheet, and the number of neighbors.
@@ -67,9 +71,7 @@ struct Sheet_fit {
       return (std::min)((std::max)((x - low) / (high - low), 0.), 1.);
     };
     const double variance = moments.second;
-    double excess = variance > 0. ? moments.fourth / (variance * variance) - 3. : 0.;
-    if (!std::isfinite(excess)) // moments of distances out of the range of fourth powers
-      excess = 0.;
+    const double excess = moments.excess();
     // a flat-topped distribution, or a neighborhood hardly wider than the noise, has a negative
     // excess without being bimodal
     const double doubtful = .4, certain = .6;
@@ -105,6 +107,16 @@ struct Sheets {
   Array<signed char> sides;
 };
 
+inline signed char side_of(double height) { return height > 0. ? 1 : height < 0. ? -1 : 0; }
+
+/// Whether the evidence that an estimator finds is strong enough. A sheet that is overlooked costs more than
+/// one that is not there, hence less than even odds.
+inline bool is_likely(const Sheet_evidence& evidence)
+{
+  const float least = -1.f, least_side = 1.f; // logarithms of the odds
+  return evidence.two_sheets > least && std::abs(evidence.side) > least_side;
+}
+
 /// Whether the side of a neighbor is known. What is found must not contradict it: given normals may point into
 /// the wall.
 inline bool has_sided_neighbor(const Surface& surface, std::size_t i)
@@ -116,31 +128,43 @@ inline bool has_sided_neighbor(const Surface& surface, std::size_t i)
                      [&](std::uint32_t j) { return surface.state.is_sided(j); });
 }
 
-/// The number of loops of `fit_sheets()`
+/// The number of loops of `find_moments()` and `fit_sheets()`
 constexpr int sheet_loops = 5;
 
-/// Finds the noise within the sheets of thin parts, what neighborhoods suit them, and on which of
-/// two sheets a point is.
+/// Moments of the distances from the tangent planes
 /// \param surface with normals
-/// \param noise the noise around each point; is reduced on thin parts unless the caller gave it
+/// \param sides receives on which side of its neighbors each point is, see `Sheets::sides`
 template <typename ConcurrencyTag>
-Sheets fit_sheets(const Surface& surface, const Curvature_defaults& defaults, Array<double>& noise,
-                  bool is_given, Loops<ConcurrencyTag>& loops)
+Array<Distance_moments> find_moments(const Surface& surface, Array<signed char>& sides,
+                                     Loops<ConcurrencyTag>& loops)
 {
   const std::size_t n = surface.size();
-  Sheets sheets{Array<std::uint32_t>(n), Array<signed char>(n)};
   Array<Distance_moments> moments(n);
+  sides.resize(n);
   loops.for_each_chunk(n, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
       double height = 0.;
       moments[i] = surface.state.parameters(i).spacing > 0.
                        ? Distance_moments(surface.neighborhood(i), height)
                        : Distance_moments(0., 0.);
-      sheets.sides[i] = height > 0. ? 1 : height < 0. ? -1 : 0;
+      sides[i] = side_of(height);
     }
   });
-  for (int i = 0; i < 3; ++i)
-    pool(surface.graph, moments, loops);
+  return moments;
+}
+
+/// Finds the noise within the sheets of thin parts, what neighborhoods suit them, and on which of
+/// two sheets a point is.
+/// \param surface with normals, and the evidence of the estimator if it finds sheets
+/// \param moments, sides see `find_moments()`; the moments are pooled
+/// \param noise the noise around each point; is reduced on thin parts unless the caller gave it
+template <typename ConcurrencyTag>
+Sheets fit_sheets(const Surface& surface, const Array<Distance_moments>& moments,
+                  Array<signed char>&& sides, const Curvature_defaults& defaults,
+                  Array<double>& noise, bool is_given, Loops<ConcurrencyTag>& loops)
+{
+  const std::size_t n = surface.size();
+  Sheets sheets{Array<std::uint32_t>(n), std::move(sides)};
   loops.for_each_chunk(n, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
       const Local_parameters& local = surface.state.parameters(i);
@@ -151,9 +175,13 @@ Sheets fit_sheets(const Surface& surface, const Curvature_defaults& defaults, Ar
                             surface.state.is_sided(i));
         noise[i] = fit.noise;
         sheets.sizes[i] = fit.size;
-        holds_two_sheets = fit.holds_two_sheets && !has_sided_neighbor(surface, i);
+        holds_two_sheets = fit.holds_two_sheets;
       }
-      if (!holds_two_sheets)
+      if (!surface.state.sheets.empty() && is_likely(surface.state.sheets[i])) {
+        holds_two_sheets = true;
+        sheets.sides[i] = side_of(double(surface.state.sheets[i].side));
+      }
+      if (!holds_two_sheets || has_sided_neighbor(surface, i))
         sheets.sides[i] = 0;
     }
   });

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef CGAL_POINT_SET_FLOW_INTERNAL_FLOW_CORRECTIONS_H
+#define CGAL_POINT_SET_FLOW_INTERNAL_FLOW_CORRECTIONS_H
+
+#include <CGAL/license/Point_set_flow.h>
+
+#include <CGAL/Point_set_flow/internal/flow/model_traits.h>
+#include <CGAL/Point_set_flow/internal/neighbors/Surface.h>
+#include <CGAL/Point_set_flow/internal/parallel/stage_costs.h>
+
+#include <cstddef>
+
+namespace CGAL {
+namespace Point_set_flow {
+namespace internal {
+
+/// Moves the result of the flow along the normals of its last step, by what the estimator tells from the
+/// residuals. In each round all points move at once.
+/// \param input where the points were before the flow
+/// \param points where they are; are moved
+/// \param is_fixed tells by its index whether a point stays
+template <typename ConcurrencyTag, typename Curvature, typename Is_fixed>
+void correct(const Array<Point_3>& input, Array<Point_3>& points, const Neighbor_graph& graph,
+             Surface_state& state, const Curvature& curvature, const Is_fixed& is_fixed,
+             Loops<ConcurrencyTag>& loops)
+{
+  const std::size_t n = points.size();
+  state.residuals.resize(n);
+  loops.for_each_chunk(n, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i)
+      state.residuals[i] = (input[i] - points[i]) * state.normals[i];
+  });
+  const Surface surface{points, graph, state};
+  Array<double> movements(n);
+  for (unsigned int round = 0; round < Number_of_corrections<Curvature>::value; ++round) {
+    loops.begin_stage(stage_costs::network);
+    loops.for_each_chunk(n, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t i = begin; i < end; ++i) {
+        const Neighborhood_3 neighborhood = surface.neighborhood(i);
+        movements[i] = is_fixed(i) || !(neighborhood.radius() > 0.)
+                           ? 0.
+                           : curvature.correction(neighborhood, round);
+      }
+    });
+    loops.for_each_chunk(n, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t i = begin; i < end; ++i) {
+        points[i] = points[i] + movements[i] * state.normals[i];
+        state.residuals[i] -= movements[i];
+      }
+    });
+  }
+  state.residuals = Array<double>(); // memory
+}
+
+} // namespace internal
+} // namespace Point_set_flow
+} // namespace CGAL
+
+#endif // CGAL_POINT_SET_FLOW_INTERNAL_FLOW_CORRECTIONS_H
