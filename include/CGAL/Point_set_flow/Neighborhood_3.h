@@ -25,6 +25,42 @@ struct Surface_estimate_3 {
   const Vector_3* sides = nullptr;
 };
 
+/// \cond SKIP_IN_MANUAL
+namespace internal {
+
+/// The numbers of the neighbors of a point: a view
+class Neighbor_numbers {
+  const std::uint32_t* m_absolute = nullptr;
+  const std::int16_t* m_relative = nullptr; // to the number of the point, if not null
+  std::size_t m_point = 0, m_size;
+
+public:
+  Neighbor_numbers(const std::uint32_t* numbers, std::size_t size)
+      : m_absolute(numbers), m_size(size)
+  {}
+  Neighbor_numbers(std::size_t point, const std::int16_t* relative, std::size_t size)
+      : m_relative(relative), m_point(point), m_size(size)
+  {}
+
+  std::size_t size() const { return m_size; }
+  /// the first of them, which are the nearest if they are in that order
+  Neighbor_numbers nearest(std::size_t most) const
+  {
+    Neighbor_numbers some = *this;
+    some.m_size = most < m_size ? most : m_size;
+    return some;
+  }
+  std::uint32_t operator[](std::size_t j) const
+  {
+    return m_relative
+               ? static_cast<std::uint32_t>(m_point + std::size_t(std::ptrdiff_t(m_relative[j])))
+               : m_absolute[j];
+  }
+};
+
+} // namespace internal
+/// \endcond
+
 /// \ingroup PkgPointSetFlowCurvature
 /// A point with its nearest neighbors, as a curvature estimator sees it: a view on the arrays of
 /// the core, cheap to make and to copy.
@@ -33,8 +69,8 @@ struct Surface_estimate_3 {
 /// keep their digits far from the origin.
 class Neighborhood_3 {
   const Point_3* m_points;
-  const std::uint32_t* m_neighbors;
-  std::size_t m_size, m_center;
+  internal::Neighbor_numbers m_neighbors;
+  std::size_t m_center;
   double m_radius, m_filter_width;
   Surface_estimate_3 m_surface;
 
@@ -48,14 +84,22 @@ public:
   Neighborhood_3(const Point_3* points, std::size_t center, const std::uint32_t* neighbors,
                  std::size_t size, double radius, double filter_width,
                  const Surface_estimate_3& surface = Surface_estimate_3())
-      : m_points(points), m_neighbors(neighbors), m_size(size), m_center(center), m_radius(radius),
+      : Neighborhood_3(points, center, internal::Neighbor_numbers(neighbors, size), radius,
+                       filter_width, surface)
+  {}
+  /// \cond SKIP_IN_MANUAL
+  Neighborhood_3(const Point_3* points, std::size_t center,
+                 const internal::Neighbor_numbers& neighbors, double radius, double filter_width,
+                 const Surface_estimate_3& surface)
+      : m_points(points), m_neighbors(neighbors), m_center(center), m_radius(radius),
         m_filter_width(filter_width), m_surface(surface)
   {}
+  /// \endcond
 
   /// the point in the middle
   const Point_3& center() const { return m_points[m_center]; }
   /// the number of neighbors, the point itself not counted
-  std::size_t size() const { return m_size; }
+  std::size_t size() const { return m_neighbors.size(); }
   /// a neighbor
   const Point_3& operator[](std::size_t j) const { return m_points[m_neighbors[j]]; }
   /// the neighborhood radius
@@ -102,8 +146,7 @@ public:
   Neighborhood_3 with_neighbors(const std::uint32_t* neighbors, std::size_t size) const
   {
     Neighborhood_3 part = *this;
-    part.m_neighbors = neighbors;
-    part.m_size = size;
+    part.m_neighbors = internal::Neighbor_numbers(neighbors, size);
     part.m_surface.sides = nullptr;
     return part;
   }
