@@ -15,6 +15,7 @@
 #include <CGAL/Point_set_flow/internal/order/Point_buffer.h>
 #include <CGAL/Point_set_flow/internal/flow/prefilter.h>
 #include <CGAL/Orthogonal_k_neighbor_search.h>
+#include <CGAL/Search_traits_3.h>
 #include <CGAL/estimate_point_set_noise.h>
 
 #include <numeric>
@@ -375,7 +376,7 @@ BOOST_AUTO_TEST_CASE(thin_parts_are_distinguished_from_noise)
     const std::vector<internal::Local_parameters> parts = {
         {layer, spacing, 60, 12, .6, {}, Diffusivity(0.)}};
     internal::Surface_state state = {{}, {}, {}, parts, 0., {}};
-    state.normals.assign(points.size(), Vector_3(0, 0, 1));
+    state.planes.assign(points.size(), Vector_3(0, 0, 1));
     state.noise.assign(points.size(), layer);
     state.part_of.assign(points.size(), 0);
     const internal::Array<std::uint32_t> sizes =

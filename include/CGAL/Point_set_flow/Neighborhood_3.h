@@ -5,6 +5,9 @@
 #include <CGAL/license/Point_set_flow.h>
 
 #include <CGAL/Point_set_flow/Core_kernel.h>
+#include <CGAL/Point_set_flow/Tangent_plane_3.h>
+
+#include <boost/config.hpp>
 
 #include <cmath>
 #include <cstddef>
@@ -16,10 +19,10 @@ namespace Point_set_flow {
 /// \ingroup PkgPointSetFlowCurvature
 /// What is known of a surface around a point, besides the points.
 struct Surface_estimate_3 {
-  const Vector_3* normals = nullptr; ///< one for each point, or null
-  double noise = 0.;                 ///< the standard deviation of the noise
-  double spacing = 0.;               ///< the spacing around the point
-  double time = 0.;                  ///< 0 in the first step of the flow, 1 in the last
+  const Compact_tangent_plane_3* planes = nullptr; ///< one for each point, or null
+  double noise = 0.;                               ///< the standard deviation of the noise
+  double spacing = 0.;                             ///< the spacing around the point
+  double time = 0.; ///< 0 in the first step of the flow, 1 in the last
   /// for each point, a vector to the side of the surface on which it was measured, given or found; null
   /// vectors where no side is known or to be trusted; or null
   const Vector_3* sides = nullptr;
@@ -50,7 +53,7 @@ public:
     some.m_size = most < m_size ? most : m_size;
     return some;
   }
-  std::uint32_t operator[](std::size_t j) const
+  BOOST_FORCEINLINE std::uint32_t operator[](std::size_t j) const
   {
     return m_relative
                ? static_cast<std::uint32_t>(m_point + std::size_t(std::ptrdiff_t(m_relative[j])))
@@ -107,14 +110,14 @@ public:
 
   /// whether the normals of the points are known: from the second step on if the estimator declares
   /// `Uses_surface_estimate`, and then always in `directional_curvature()`
-  bool has_normals() const { return m_surface.normals != nullptr; }
+  bool has_normals() const { return m_surface.planes != nullptr; }
   /// the unit normal of the point in the middle. It points to the side of the point if that is known, see
   /// `is_sided()`; else its orientation is arbitrary.
   /// \pre `has_normals()`
-  const Vector_3& normal() const { return m_surface.normals[m_center]; }
+  Vector_3 normal() const { return m_surface.planes[m_center].normal(); }
   /// the unit normal of a neighbor
   /// \pre `has_normals()`
-  const Vector_3& normal(std::size_t j) const { return m_surface.normals[m_neighbors[j]]; }
+  Vector_3 normal(std::size_t j) const { return m_surface.planes[m_neighbors[j]].normal(); }
 
   /// whether the side of the point is known: the caller gave a normal that is trusted, or two sheets were
   /// told apart
@@ -141,7 +144,11 @@ public:
 
   /// \cond SKIP_IN_MANUAL
   const Vector_3& side() const { return m_surface.sides[m_center]; }
-  std::uint32_t index(std::size_t j) const { return m_neighbors[j]; }
+  const Point_3* points() const { return m_points; }
+  const Compact_tangent_plane_3* planes() const { return m_surface.planes; }
+  const internal::Neighbor_numbers& numbers() const { return m_neighbors; }
+  std::size_t center_number() const { return m_center; }
+  double filter_width() const { return m_filter_width; }
   /// the same point with some of its neighbors, of which no side is known
   Neighborhood_3 with_neighbors(const std::uint32_t* neighbors, std::size_t size) const
   {
