@@ -32,10 +32,11 @@ inline Phases phases_of_a_run()
   using namespace CGAL::Point_set_flow::internal;
   typedef CGAL::Point_set_flow::Tangent_plane_curvature Curvature;
   namespace costs = stage_costs;
-  Phases phases = {{"copy in, order", costs::order},  {"tree", costs::tree},
-                   {"scale", costs::scale},           {"graph", costs::graph},
-                   {"tangent planes", costs::planes}, {"two sheets", costs::sheets},
-                   {"shrink", costs::shrink},         {"flow steps", costs::step}};
+  Phases phases = {{"copy in, order", costs::order}, {"tree", costs::tree},
+                   {"graph", costs::graph},          {"scale", costs::scale},
+                   {"adapt", costs::adapt},          {"tangent planes", costs::planes},
+                   {"two sheets", costs::sheets},    {"shrink", costs::shrink},
+                   {"flow steps", costs::step}};
   for (unsigned int t = 1; t < Defaults_of<Curvature>::get().number_of_iterations; ++t) {
     phases.push_back({"tangent planes", costs::planes});
     phases.push_back({"flow steps", costs::step});

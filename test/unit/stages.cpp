@@ -10,10 +10,12 @@
 #include <CGAL/Point_set_flow/Diffusivity.h>
 #include <CGAL/Point_set_flow/estimate_point_set_scale.h>
 #include <CGAL/Point_set_flow/internal/neighbors/Neighbor_graph.h>
+#include <CGAL/Point_set_flow/internal/neighbors/nearest_points.h>
 #include <CGAL/Point_set_flow/internal/noise/two_sheets.h>
 #include <CGAL/Point_set_flow/internal/order/Point_buffer.h>
 #include <CGAL/Point_set_flow/internal/flow/prefilter.h>
 #include <CGAL/Orthogonal_k_neighbor_search.h>
+#include <CGAL/Search_traits_3.h>
 #include <CGAL/estimate_point_set_noise.h>
 
 #include <numeric>
@@ -88,12 +90,8 @@ BOOST_AUTO_TEST_CASE(the_graph_has_the_nearest_neighbors)
         BOOST_REQUIRE(graph.size(i) == expected.size());
         const double farthest = expected.empty() ? 0. : expected.back().squared_distance;
         BOOST_REQUIRE(graph.radius(i) == std::sqrt(farthest));
-        std::vector<std::uint32_t> found(graph.neighbors(i), graph.neighbors(i) + graph.size(i));
-        std::sort(found.begin(), found.end());
-        std::sort(expected.begin(), expected.end(),
-                  [](const auto& a, const auto& b) { return a.index < b.index; });
-        for (std::size_t j = 0; j < found.size(); ++j)
-          BOOST_REQUIRE(found[j] == expected[j].index);
+        for (std::size_t j = 0; j < expected.size(); ++j)
+          BOOST_REQUIRE(graph.neighbors(i)[j] == expected[j].index);
       };
       for (std::size_t i = 0; i < points.size(); i += 3)
         check(i, k);
@@ -138,8 +136,8 @@ BOOST_AUTO_TEST_CASE(parts_of_the_points_have_numbers_of_neighbors_of_their_own)
       if (part_of[i] == part) {
         BOOST_REQUIRE(graph.size(i) == alike.size(i));
         BOOST_REQUIRE(graph.radius(i) == alike.radius(i));
-        BOOST_REQUIRE(
-            std::equal(graph.neighbors(i), graph.neighbors(i) + graph.size(i), alike.neighbors(i)));
+        for (std::size_t j = 0; j < graph.size(i); ++j)
+          BOOST_REQUIRE(graph.neighbors(i)[j] == alike.neighbors(i)[j]);
       }
   }
 }
@@ -378,7 +376,7 @@ BOOST_AUTO_TEST_CASE(thin_parts_are_distinguished_from_noise)
     const std::vector<internal::Local_parameters> parts = {
         {layer, spacing, 60, 12, .6, {}, Diffusivity(0.)}};
     internal::Surface_state state = {{}, {}, {}, parts, 0., {}};
-    state.normals.assign(points.size(), Vector_3(0, 0, 1));
+    state.planes.assign(points.size(), Vector_3(0, 0, 1));
     state.noise.assign(points.size(), layer);
     state.part_of.assign(points.size(), 0);
     const internal::Array<std::uint32_t> sizes =
@@ -404,11 +402,66 @@ BOOST_AUTO_TEST_CASE(thin_parts_are_distinguished_from_noise)
   }
 }
 
-BOOST_AUTO_TEST_CASE(more_than_2_to_the_32_neighbors_do_not_overflow)
+BOOST_AUTO_TEST_CASE(a_graph_holds_neighbors_that_are_far_in_the_order_of_the_points)
 {
-  internal::Neighbor_offsets offsets; // of 100,000 points with 100,000 neighbors each
-  for (std::size_t i = 0; i < 100000; ++i)
-    offsets.push_back(i * 100000);
-  for (std::size_t i = 0; i < 100000; i += 7)
-    BOOST_REQUIRE(offsets[i] == i * 100000);
+  // two lines beside each other, one after the other in memory: the nearest point is on the other line
+  Points points;
+  const std::size_t n = 40000;
+  for (const double y : {0., .5})
+    for (std::size_t i = 0; i < n; ++i)
+      points.emplace_back(double(i), y, 0.);
+  Loops loops(nullptr, 1.);
+  const internal::Neighbor_tree tree(points, loops);
+  internal::Neighbor_graph graph(tree, {3}, loops);
+  for (const std::size_t size : {std::size_t(3), std::size_t(1)}) {
+    for (std::size_t i = 1; i + 1 < n; i += 100) {
+      BOOST_REQUIRE(graph.size(i) == size);
+      BOOST_REQUIRE(graph.neighbors(i)[0] == n + i);
+      BOOST_REQUIRE(graph.neighbors(n + i)[0] == i);
+      if (size == 3)
+        BOOST_REQUIRE(graph.neighbors(i)[1] == i - 1);
+    }
+    graph.shrink(points, internal::Array<std::uint32_t>(points.size(), 1), loops);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(a_graph_adapts_to_other_numbers_of_neighbors)
+{
+  const Points points = points_of_all_kinds();
+  Loops loops(nullptr, 1.);
+  const internal::Neighbor_tree tree(points, loops);
+  internal::Array<std::uint32_t> part_of;
+  for (std::size_t i = 0; i < points.size(); ++i)
+    part_of.push_back(std::uint32_t(i / 5 % 3));
+  const internal::Search_options search = {0, 0., {7, 20, 50}, &part_of};
+  const internal::Neighbor_graph expected(tree, search, loops);
+  internal::Neighbor_graph graph(tree, {20}, loops);
+  graph.adapt(tree, search, loops);
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    BOOST_REQUIRE(graph.size(i) == expected.size(i));
+    BOOST_REQUIRE(graph.radius(i) == expected.radius(i));
+    for (std::size_t j = 0; j < graph.size(i); ++j)
+      BOOST_REQUIRE(graph.neighbors(i)[j] == expected.neighbors(i)[j]);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(each_place_has_its_nearest_point)
+{
+  const Points points = points_of_all_kinds();
+  Loops loops(nullptr, 1.);
+  for (const std::size_t share : {std::size_t(1), std::size_t(20), points.size()}) {
+    Points some;
+    for (std::size_t i = 0; i < points.size(); i += share)
+      some.push_back(points[i]);
+    const internal::Neighbor_tree tree(some, loops);
+    const auto nearest = internal::nearest_points(tree, points, loops);
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      std::size_t expected = 0;
+      for (std::size_t j = 1; j < some.size(); ++j)
+        if (CGAL::squared_distance(points[i], some[j]) <
+            CGAL::squared_distance(points[i], some[expected]))
+          expected = j;
+      BOOST_REQUIRE(nearest[i] == expected);
+    }
+  }
 }

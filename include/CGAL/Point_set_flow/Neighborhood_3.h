@@ -5,6 +5,9 @@
 #include <CGAL/license/Point_set_flow.h>
 
 #include <CGAL/Point_set_flow/Core_kernel.h>
+#include <CGAL/Point_set_flow/Tangent_plane_3.h>
+
+#include <boost/config.hpp>
 
 #include <cmath>
 #include <cstddef>
@@ -25,10 +28,10 @@ struct Sheet_evidence {
 /// \ingroup PkgPointSetFlowCurvature
 /// What is known of a surface around a point, besides the points.
 struct Surface_estimate_3 {
-  const Vector_3* normals = nullptr; ///< one for each point, or null
-  double noise = 0.;                 ///< the standard deviation of the noise
-  double spacing = 0.;               ///< the spacing around the point
-  double time = 0.;                  ///< 0 in the first step of the flow, 1 in the last
+  const Compact_tangent_plane_3* planes = nullptr; ///< one for each point, or null
+  double noise = 0.;                               ///< the standard deviation of the noise
+  double spacing = 0.;                             ///< the spacing around the point
+  double time = 0.; ///< 0 in the first step of the flow, 1 in the last
   /// for each point, a vector to the side of the surface on which it was measured, given or found; null
   /// vectors where no side is known or to be trusted; or null
   const Vector_3* sides = nullptr;
@@ -38,6 +41,42 @@ struct Surface_estimate_3 {
   const Sheet_evidence* sheets = nullptr; ///< for each point, or null
 };
 
+/// \cond SKIP_IN_MANUAL
+namespace internal {
+
+/// The numbers of the neighbors of a point: a view
+class Neighbor_numbers {
+  const std::uint32_t* m_absolute = nullptr;
+  const std::int16_t* m_relative = nullptr; // to the number of the point, if not null
+  std::size_t m_point = 0, m_size;
+
+public:
+  Neighbor_numbers(const std::uint32_t* numbers, std::size_t size)
+      : m_absolute(numbers), m_size(size)
+  {}
+  Neighbor_numbers(std::size_t point, const std::int16_t* relative, std::size_t size)
+      : m_relative(relative), m_point(point), m_size(size)
+  {}
+
+  std::size_t size() const { return m_size; }
+  /// the first of them, which are the nearest if they are in that order
+  Neighbor_numbers nearest(std::size_t most) const
+  {
+    Neighbor_numbers some = *this;
+    some.m_size = most < m_size ? most : m_size;
+    return some;
+  }
+  BOOST_FORCEINLINE std::uint32_t operator[](std::size_t j) const
+  {
+    return m_relative
+               ? static_cast<std::uint32_t>(m_point + std::size_t(std::ptrdiff_t(m_relative[j])))
+               : m_absolute[j];
+  }
+};
+
+} // namespace internal
+/// \endcond
+
 /// \ingroup PkgPointSetFlowCurvature
 /// A point with its nearest neighbors, as a curvature estimator sees it: a view on the arrays of
 /// the core, cheap to make and to copy.
@@ -46,8 +85,8 @@ struct Surface_estimate_3 {
 /// keep their digits far from the origin.
 class Neighborhood_3 {
   const Point_3* m_points;
-  const std::uint32_t* m_neighbors;
-  std::size_t m_size, m_center;
+  internal::Neighbor_numbers m_neighbors;
+  std::size_t m_center;
   double m_radius, m_filter_width;
   Surface_estimate_3 m_surface;
 
@@ -61,14 +100,22 @@ public:
   Neighborhood_3(const Point_3* points, std::size_t center, const std::uint32_t* neighbors,
                  std::size_t size, double radius, double filter_width,
                  const Surface_estimate_3& surface = Surface_estimate_3())
-      : m_points(points), m_neighbors(neighbors), m_size(size), m_center(center), m_radius(radius),
+      : Neighborhood_3(points, center, internal::Neighbor_numbers(neighbors, size), radius,
+                       filter_width, surface)
+  {}
+  /// \cond SKIP_IN_MANUAL
+  Neighborhood_3(const Point_3* points, std::size_t center,
+                 const internal::Neighbor_numbers& neighbors, double radius, double filter_width,
+                 const Surface_estimate_3& surface)
+      : m_points(points), m_neighbors(neighbors), m_center(center), m_radius(radius),
         m_filter_width(filter_width), m_surface(surface)
   {}
+  /// \endcond
 
   /// the point in the middle
   const Point_3& center() const { return m_points[m_center]; }
   /// the number of neighbors, the point itself not counted
-  std::size_t size() const { return m_size; }
+  std::size_t size() const { return m_neighbors.size(); }
   /// a neighbor
   const Point_3& operator[](std::size_t j) const { return m_points[m_neighbors[j]]; }
   /// the neighborhood radius
@@ -76,14 +123,14 @@ public:
 
   /// whether the normals of the points are known: from the second step on if the estimator declares
   /// `Uses_surface_estimate`, and then always in `directional_curvature()`
-  bool has_normals() const { return m_surface.normals != nullptr; }
+  bool has_normals() const { return m_surface.planes != nullptr; }
   /// the unit normal of the point in the middle. It points to the side of the point if that is known, see
   /// `is_sided()`; else its orientation is arbitrary.
   /// \pre `has_normals()`
-  const Vector_3& normal() const { return m_surface.normals[m_center]; }
+  Vector_3 normal() const { return m_surface.planes[m_center].normal(); }
   /// the unit normal of a neighbor
   /// \pre `has_normals()`
-  const Vector_3& normal(std::size_t j) const { return m_surface.normals[m_neighbors[j]]; }
+  Vector_3 normal(std::size_t j) const { return m_surface.planes[m_neighbors[j]].normal(); }
 
   /// whether the side of the point is known: the caller gave a normal that is trusted, or two sheets were
   /// told apart
@@ -128,13 +175,16 @@ public:
 
   /// \cond SKIP_IN_MANUAL
   const Vector_3& side() const { return m_surface.sides[m_center]; }
-  std::uint32_t index(std::size_t j) const { return m_neighbors[j]; }
+  const Point_3* points() const { return m_points; }
+  const Compact_tangent_plane_3* planes() const { return m_surface.planes; }
+  const internal::Neighbor_numbers& numbers() const { return m_neighbors; }
+  std::size_t center_number() const { return m_center; }
+  double filter_width() const { return m_filter_width; }
   /// the same point with some of its neighbors, of which no side is known
   Neighborhood_3 with_neighbors(const std::uint32_t* neighbors, std::size_t size) const
   {
     Neighborhood_3 part = *this;
-    part.m_neighbors = neighbors;
-    part.m_size = size;
+    part.m_neighbors = internal::Neighbor_numbers(neighbors, size);
     part.m_surface.sides = nullptr;
     return part;
   }

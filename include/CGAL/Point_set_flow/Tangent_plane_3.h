@@ -18,6 +18,21 @@ struct Tangent_plane_3 {
   double variation;
 };
 
+/// \ingroup PkgPointSetFlowCurvature
+/// A tangent plane in single precision. Those of all points are kept in this form: four neighbors at a time are
+/// loaded from it.
+struct Compact_tangent_plane_3 {
+  float x = 0.f, y = 0.f, z = 0.f; ///< the normal
+  float variation = 0.f;
+
+  Compact_tangent_plane_3() = default;
+  Compact_tangent_plane_3(const Vector_3& normal, double variation_ = 0.)
+      : x(float(normal.x())), y(float(normal.y())), z(float(normal.z())),
+        variation(float(variation_))
+  {}
+  Vector_3 normal() const { return Vector_3(double(x), double(y), double(z)); }
+};
+
 } // namespace Point_set_flow
 } // namespace CGAL
 

@@ -33,7 +33,7 @@ Smoothing_report analyze_point_set(const PointRange& points, const std::optional
   try {
     return loops.in_isolation([&] {
       Input input(maps, check, loops);
-      const Analyzed_points analyzed(std::move(input.points), loops);
+      const Analyzed_points analyzed(std::move(input.points), 0, loops);
       const Flow_plan plan(analyzed, flow, curvature, parameters, input.frame.unit);
       loops.finish();
       return plan.report();

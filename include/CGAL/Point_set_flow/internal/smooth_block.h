@@ -112,13 +112,14 @@ Block_status smooth_block(PointRange& points, std::size_t block_size, const Coor
   typedef Caller_maps<decltype(block), NamedParameters> Block_maps;
   Block_maps block_maps(block, np, check);
   const Wanted_results wanted = wanted_results(maps, flow, curvature);
-  Loops<ConcurrencyTag> loops(read_callback(np), total_cost(parameters, flow, curvature, wanted));
+  Loops<ConcurrencyTag> loops(read_callback(np),
+                              total_cost(parameters, flow, curvature, wanted, 0));
   try {
     return loops.in_isolation([&] {
       Input input(maps, check, loops, &frame);
       input.points.clearance =
           copy_clearance(maps, input.frame, halo, input.points.reference, loops);
-      Analyzed_points analyzed(std::move(input.points), loops);
+      Analyzed_points analyzed(std::move(input.points), 0, loops);
       const Flow_plan plan(analyzed, flow, curvature, parameters, input.frame.unit);
       const std::size_t number_of_sites = analyzed.buffer().size();
       const Interior interior(analyzed.buffer().site_of, block_size);

@@ -14,7 +14,8 @@
 #include <CGAL/Point_set_flow/internal/noise/Analyzed_points.h>
 
 #include <cmath>
-#include <cstdint>
+#include <cstddef>
+#include <iterator>
 #include <limits>
 #include <optional>
 #include <utility>
@@ -48,11 +49,14 @@ double smooth_point_set(PointRange& points, const std::optional<unsigned int>& k
     return 0.;
   }
   const Wanted_results wanted = wanted_results(maps, flow, curvature);
-  Loops<ConcurrencyTag> loops(read_callback(np), total_cost(parameters, flow, curvature, wanted));
+  const std::size_t size = likely_size(parameters, Defaults_of<decltype(curvature)>::get(),
+                                       std::size_t(std::distance(points.begin(), points.end())));
+  Loops<ConcurrencyTag> loops(read_callback(np),
+                              total_cost(parameters, flow, curvature, wanted, size));
   try {
     return loops.in_isolation([&] {
       Input input(maps, check, loops);
-      Analyzed_points analyzed(std::move(input.points), loops);
+      Analyzed_points analyzed(std::move(input.points), size, loops);
       const Flow_plan plan(analyzed, flow, curvature, parameters, input.frame.unit);
       Smoothing_report report = plan.report();
 

@@ -86,7 +86,7 @@ inline Smallest_eigenpair_3 smallest_eigenpair(const Covariance_3& c)
     const double slope = (3. * root - 2.) * root + minors;
     const double step = value / slope;
     root -= step;
-    if (!(std::abs(step) > 1e-12))
+    if (!(std::abs(step) > 1e-6)) // the digits double from step to step
       break;
   }
 
@@ -106,7 +106,7 @@ inline Smallest_eigenpair_3 smallest_eigenpair(const Covariance_3& c)
                        xy * vector.x() + yy * vector.y() + yz * vector.z(),
                        xz * vector.x() + yz * vector.y() + zz * vector.z());
   const double variation = image * vector; // the Rayleigh quotient: twice as many digits
-  if (!((image - variation * vector).squared_length() < 1e-24)) // or not a number
+  if (!((image - variation * vector).squared_length() < 1e-20)) // or not a number
     return smallest_eigenpair_by_eigen(c);
   return {vector, (std::max)(variation, 0.)};
 }

@@ -4,7 +4,7 @@
 
 #include <CGAL/license/Point_set_flow.h>
 
-#include <CGAL/Point_set_flow/internal/fitting/Neighbor_pairs.h>
+#include <CGAL/Point_set_flow/internal/fitting/Neighbor_lanes.h>
 
 #include <limits>
 
@@ -12,13 +12,14 @@ namespace CGAL {
 namespace Point_set_flow {
 namespace internal {
 
-/// The scales of the weights of `Tangent_plane_curvature` at one point at one time. All weights are
-/// sums of exponents for `bell()`.
+/// The scales of the weights of `Tangent_plane_curvature` at one point at one time, with lengths in neighborhood
+/// radii. All weights are sums of exponents for `bell()`.
 struct Plane_weights {
   // in multiples of the noise
   static constexpr double residual_width = 1.8, slab_width = 1.5;
 
-  double distance, slab;
+  float distance, slab;
+  double noise;
   double residual; ///< the distance from a tangent plane that is as likely noise as another sheet
   Angle_weight angle;
 
@@ -26,20 +27,22 @@ struct Plane_weights {
       : angle(neighborhood.spacing() > 0. ? neighborhood.noise() / neighborhood.spacing() : 0.,
               neighborhood.time())
   {
-    const double width = neighborhood.gaussian_width(), noise = neighborhood.noise();
-    distance = 1. / (2. * width * width + tiny());
-    slab = slab_width * slab_width * noise * noise;
-    residual = residual_width * noise * annealing(neighborhood.time(), 2);
+    const double width = neighborhood.filter_width();
+    distance = inverse(2. * width * width);
+    noise = neighborhood.radius() > 0. ? neighborhood.noise() / neighborhood.radius() : 0.;
+    slab = float(slab_width * slab_width * noise * noise);
+    noise *= annealing(neighborhood.time(), 2);
+    residual = residual_width * noise;
   }
 
   /// The exponent of the distance, but not of the part of it that is noise
-  Lanes near(const Lanes& squared_length, const Lanes& squared_height) const
+  BOOST_FORCEINLINE Lanes near(const Lanes& squared_length, const Lanes& squared_height) const
   {
     return (squared_length - squared_height.min(slab)) * distance;
   }
 
-  /// added to divisors that may be 0
-  static constexpr double tiny() { return (std::numeric_limits<double>::min)(); }
+  /// of a divisor that may be 0
+  static float inverse(double x) { return 1.f / (float(x) + (std::numeric_limits<float>::min)()); }
 };
 
 } // namespace internal

@@ -24,53 +24,38 @@ namespace internal {
 /// smooth at this size.
 class Quadric_fit {
   typedef Eigen::Matrix<double, 6, 1> Vector_6;
+  enum Column { X, Y, XX, XY, YY, HEIGHT, NUMBER_OF_COLUMNS };
 
-  const Array<Point_3>& m_points;
-  const std::vector<std::uint32_t>& m_neighbors;
   double m_radius, m_freedom, m_squares;
-  Vector_3 m_normal, m_e1, m_e2;
+  Eigen::Array<double, Eigen::Dynamic, NUMBER_OF_COLUMNS>
+      m_terms; // of each point, in its frame and in radii
   Vector_6 m_quadric;
 
 public:
   static constexpr std::size_t unknowns = 6;
 
-  /// \param neighbors the first entry is the point itself; is kept by reference
+  /// \param neighbors the first entry is the point itself
   /// \pre there are more than 6, and the radius is positive
   Quadric_fit(const Array<Point_3>& points, const std::vector<std::uint32_t>& neighbors,
               double radius)
-      : m_points(points), m_neighbors(neighbors), m_radius(radius),
-        m_freedom(double(neighbors.size()) - double(unknowns))
+      : m_radius(radius), m_freedom(double(neighbors.size()) - double(unknowns)),
+        m_terms(Eigen::Index(neighbors.size()), NUMBER_OF_COLUMNS)
   {
-    find_frame();
+    find_terms(points, neighbors);
     // The normal equations, which are as good here: within a neighborhood the terms are about 1.
-    // sums[a][b] of x^a y^b, and with the height and its square
-    double sums[5][5] = {}, heights[3][3] = {}, squares = 0.;
-    for (const std::uint32_t j : m_neighbors) {
-      const Vector_3 d = in_radii(j);
-      const double dx = d * m_e1, dy = d * m_e2, h = d * m_normal;
-      const double x[] = {1., dx, dx * dx}, y[] = {1., dy, dy * dy};
-      for (int a = 0; a < 3; ++a)
-        for (int b = 0; a + b < 3; ++b)
-          heights[a][b] += x[a] * y[b] * h;
-      squares += h * h;
-      for (int a = 0; a < 5; ++a)
-        for (int b = 0; a + b < 5; ++b)
-          sums[a][b] += x[a / 2] * x[a - a / 2] * (y[b / 2] * y[b - b / 2]);
-    }
-    const int powers[6][2] = {{0, 0}, {1, 0}, {0, 1}, {2, 0}, {1, 1}, {0, 2}};
     Eigen::Matrix<double, 6, 6> products;
     Vector_6 right;
-    for (int i = 0; i < 6; ++i) {
-      right[i] = heights[powers[i][0]][powers[i][1]];
-      for (int j = 0; j < 6; ++j)
-        products(i, j) = sums[powers[i][0] + powers[j][0]][powers[i][1] + powers[j][1]];
+    products(0, 0) = double(neighbors.size());
+    right[0] = m_terms.col(HEIGHT).sum();
+    for (int i = 1; i < 6; ++i) {
+      products(i, 0) = m_terms.col(i - 1).sum();
+      right[i] = dot(i - 1, HEIGHT);
+      for (int j = 1; j <= i; ++j)
+        products(i, j) = dot(i - 1, j - 1);
     }
-    m_quadric = products.ldlt().solve(right);
-    m_squares = (std::max)(squares - right.dot(m_quadric), 0.);
+    m_quadric = products.ldlt().solve(right); // of the lower triangle
+    m_squares = (std::max)(dot(HEIGHT, HEIGHT) - right.dot(m_quadric), 0.);
   }
-
-  Quadric_fit(const Quadric_fit&) = delete; // refers to the points
-  Quadric_fit& operator=(const Quadric_fit&) = delete;
 
   /// the standard deviation of the residuals, with the degrees of freedom of the quadric taken off
   double deviation() const { return m_radius * std::sqrt(m_squares / m_freedom); }
@@ -79,13 +64,9 @@ public:
   /// if they are flat-topped or bimodal
   double excess_kurtosis() const
   {
-    double second = 0., fourth = 0.;
-    for (const std::uint32_t j : m_neighbors) {
-      const double residual = residual_of(j).z(), square = residual * residual;
-      second += square;
-      fourth += square * square;
-    }
-    const double m = double(m_neighbors.size());
+    const Eigen::ArrayXd squares = residuals().square();
+    const double second = squares.sum(), fourth = squares.square().sum();
+    const double m = double(squares.size());
     const double excess = m * fourth / (second * second) - 3. * (m - 1.) / (m + 1.);
     return std::isfinite(excess) ? excess : 0.; // no residuals, or squares that are too small
   }
@@ -95,52 +76,54 @@ public:
   double gearys_c() const
   {
     const double one_place = .01; // in radii
-    std::vector<Vector_3> residuals;
-    double squares = 0.;
-    for (const std::uint32_t j : m_neighbors) {
-      residuals.push_back(residual_of(j));
-      squares += residuals.back().z() * residuals.back().z();
-    }
+    const Eigen::ArrayXd residual = residuals();
     double differences = 0.;
-    for (const Vector_3& r : residuals) {
-      double least = (std::numeric_limits<double>::infinity)(), nearest = r.z();
-      for (const Vector_3& other : residuals) {
-        const double dx = other.x() - r.x(), dy = other.y() - r.y(), squared = dx * dx + dy * dy;
-        if (squared < least && squared > one_place * one_place) {
-          least = squared;
-          nearest = other.z();
-        }
+    for (Eigen::Index i = 0; i < residual.size(); ++i) {
+      double least = (std::numeric_limits<double>::infinity)();
+      Eigen::Index nearest = i;
+      for (Eigen::Index j = 0; j < residual.size(); ++j) {
+        const double dx = m_terms(j, X) - m_terms(i, X), dy = m_terms(j, Y) - m_terms(i, Y);
+        const double squared = dx * dx + dy * dy;
+        const bool is_nearer = (squared < least) & (squared > one_place * one_place);
+        least = is_nearer ? squared : least; // without branches
+        nearest = is_nearer ? j : nearest;
       }
-      differences += (r.z() - nearest) * (r.z() - nearest);
+      const double difference = residual[i] - residual[nearest];
+      differences += difference * difference;
     }
+    const double squares = residual.square().sum();
     return squares > 0. ? differences / (2. * squares) : -1.;
   }
 
 private:
-  Vector_3 in_radii(std::uint32_t j) const
+  double dot(int a, int b) const { return (m_terms.col(a) * m_terms.col(b)).sum(); }
+
+  Eigen::ArrayXd residuals() const
   {
-    return (m_points[j] - m_points[m_neighbors[0]]) / m_radius;
+    return m_terms.col(HEIGHT) - (m_terms.leftCols<5>().matrix() * m_quadric.tail<5>()).array() -
+           m_quadric[0];
   }
 
-  /// The place of a point in the plane, and its residual there
-  Vector_3 residual_of(std::uint32_t j) const
+  void find_terms(const Array<Point_3>& points, const std::vector<std::uint32_t>& neighbors)
   {
-    const Vector_3 d = in_radii(j);
-    const double x = d * m_e1, y = d * m_e2;
-    Vector_6 terms;
-    terms << 1., x, y, x * x, x * y, y * y;
-    return {x, y, d * m_normal - m_quadric.dot(terms)};
-  }
-
-  void find_frame()
-  {
-    const Neighborhood_3 neighborhood(m_points.data(), m_neighbors[0], m_neighbors.data() + 1,
-                                      m_neighbors.size() - 1, m_radius, 1.);
-    m_normal = smallest_eigenpair(Covariance_3(neighborhood)).vector;
-    const Vector_3 axis = std::abs(m_normal.x()) < .6 ? Vector_3(1., 0., 0.) : Vector_3(0., 1., 0.);
-    m_e1 = cross_product(m_normal, axis);
-    m_e1 = m_e1 / std::sqrt(m_e1.squared_length());
-    m_e2 = cross_product(m_normal, m_e1);
+    const Neighborhood_3 neighborhood(points.data(), neighbors[0], neighbors.data() + 1,
+                                      neighbors.size() - 1, m_radius, 1.);
+    const Vector_3 normal = smallest_eigenpair(Covariance_3(neighborhood)).vector;
+    const Vector_3 axis = std::abs(normal.x()) < .6 ? Vector_3(1., 0., 0.) : Vector_3(0., 1., 0.);
+    Vector_3 e1 = cross_product(normal, axis);
+    e1 = e1 / std::sqrt(e1.squared_length());
+    const Vector_3 e2 = cross_product(normal, e1);
+    const double scale = 1. / m_radius;
+    for (std::size_t i = 0; i < neighbors.size(); ++i) {
+      const Vector_3 d = (points[neighbors[i]] - points[neighbors[0]]) * scale;
+      const Eigen::Index row = Eigen::Index(i);
+      m_terms(row, X) = d * e1;
+      m_terms(row, Y) = d * e2;
+      m_terms(row, HEIGHT) = d * normal;
+    }
+    m_terms.col(XX) = m_terms.col(X).square();
+    m_terms.col(XY) = m_terms.col(X) * m_terms.col(Y);
+    m_terms.col(YY) = m_terms.col(Y).square();
   }
 };
 

@@ -27,7 +27,7 @@ public:
   {
     for (std::size_t j = 0; j < all.size(); ++j)
       if (!all.is_opposite(j))
-        m_neighbors.push_back(all.index(j));
+        m_neighbors.push_back(all.numbers()[j]);
     m_neighborhood = all.with_neighbors(m_neighbors.data(), m_neighbors.size());
   }
   Same_side(const Same_side&) = delete; // the neighborhood is a view on the neighbors

@@ -17,9 +17,9 @@ namespace CGAL {
 namespace Point_set_flow {
 namespace internal {
 
-/// Sums over neighbors, two at a time, of weights, weighted differences and their products
+/// Sums over neighbors, four at a time, of weights, weighted differences and their products
 struct Weighted_moments {
-  Lanes sum = Lanes(0., 0.), x = sum, y = sum, z = sum;
+  Lanes sum = Lanes::Zero(), x = sum, y = sum, z = sum;
   Lanes xx = sum, xy = sum, xz = sum, yy = sum, yz = sum, zz = sum;
 
   // inlined, or the loop would keep the sums in memory instead of registers
@@ -36,9 +36,9 @@ struct Weighted_moments {
   Covariance_3 covariance(double total) const
   {
     Covariance_3 c;
-    c.xx = xx.sum(), c.xy = xy.sum(), c.xz = xz.sum();
-    c.yy = yy.sum(), c.yz = yz.sum(), c.zz = zz.sum();
-    c.add(Vector_3(x.sum(), y.sum(), z.sum()) / total, -total);
+    c.xx = internal::sum(xx), c.xy = internal::sum(xy), c.xz = internal::sum(xz);
+    c.yy = internal::sum(yy), c.yz = internal::sum(yz), c.zz = internal::sum(zz);
+    c.add(Vector_3(internal::sum(x), internal::sum(y), internal::sum(z)) / total, -total);
     return c;
   }
 };
@@ -51,38 +51,39 @@ Tangent_plane_3 fit_tangent_plane(const Neighborhood_3& neighborhood)
   if (has_normals && !(neighborhood.noise() > 0.))
     return {neighborhood.normal(), 0.}; // nothing moves here, and the first plane will do
   const Plane_weights weigh(neighborhood);
-  const double residual = 1. / (8. * weigh.residual * weigh.residual + Plane_weights::tiny());
-  const Neighbor_pairs pairs(neighborhood);
+  const float residual = Plane_weights::inverse(8. * weigh.residual * weigh.residual);
+  const Neighbor_lanes lanes(neighborhood);
 
   // moments about the point, which the noise keeps near the centroid
   Weighted_moments moments;
-  for (std::size_t j = 0; j < neighborhood.size(); j += 2) {
-    const Lanes_3 d = pairs.differences(j);
+  for (std::size_t j = 0; j < neighborhood.size(); j += Neighbor_lanes::width) {
+    const Lane_numbers numbers = lanes.numbers(j);
+    const Lanes_3 d = lanes.differences(numbers);
     Lanes exponent;
     if constexpr (has_normals) {
-      const Lanes height = d * pairs.normal, squared = height * height;
+      const Lanes height = d * lanes.normal, squared = height * height;
       exponent = weigh.near(d.squared_length(), squared) + squared * residual +
-                 weigh.angle.exponent(pairs.normals(j) * pairs.normal);
+                 weigh.angle.exponent(lanes.normals(numbers) * lanes.normal);
     }
     else
       exponent = d.squared_length() * weigh.distance;
     moments.add(bell(exponent), d);
   }
-  const double total = moments.sum.sum() + 1. - pairs.pads(); // the point itself
+  const double total = sum(moments.sum) + 1. - lanes.pads(); // the point itself
   Covariance_3 c = moments.covariance(total);
   if constexpr (has_normals) {
     // The plane of the step before counts, too, though little: where hardly any neighbors are
     // left, their tiny weights would make the result depend on rounding.
-    const double weight_before = .05, before = weight_before / (2. * weigh.distance);
-    const Vector_3& n = pairs.normal;
+    const double weight_before = .05, before = weight_before / (2. * double(weigh.distance));
+    const Vector_3 n = neighborhood.normal();
     c.xx += before * (1. - n.x() * n.x()), c.xy -= before * n.x() * n.y();
     c.yy += before * (1. - n.y() * n.y()), c.xz -= before * n.x() * n.z();
     c.zz += before * (1. - n.z() * n.z()), c.yz -= before * n.y() * n.z();
   }
   const Smallest_eigenpair_3 pair = smallest_eigenpair(c);
-  const double trace = c.trace(), noise = weigh.residual / Plane_weights::residual_width;
+  const double trace = c.trace();
   // twice the deviation of the noise is still noise: features must stand out
-  const double explained = trace > 0. ? 4. * noise * noise * total / trace : 0.;
+  const double explained = trace > 0. ? 4. * weigh.noise * weigh.noise * total / trace : 0.;
   return {pair.vector, (std::max)(0., pair.variation - explained)};
 }
 

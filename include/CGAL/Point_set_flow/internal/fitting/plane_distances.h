@@ -17,9 +17,9 @@ namespace CGAL {
 namespace Point_set_flow {
 namespace internal {
 
-/// The distances of a point \f$p_i\f$ from two of its neighbors \f$p_j\f$, taken along both normals:
+/// The distances of a point \f$p_i\f$ from four of its neighbors \f$p_j\f$, taken along both normals:
 /// \f$d_j = \frac12 [(p_i - p_j) \cdot n_i \pm (p_i - p_j) \cdot n_j]\f$ with the sign of
-/// \f$n_i \cdot n_j\f$. On a sphere the two terms differ in sign only.
+/// \f$n_i \cdot n_j\f$. On a sphere the two terms differ in sign only. Lengths are in neighborhood radii.
 struct Plane_distances {
   Lanes distance;       ///< \f$d_j\f$
   Lanes cosine;         ///< \f$n_i \cdot n_j\f$
@@ -27,13 +27,14 @@ struct Plane_distances {
   Lanes squared_height; ///< the part of it along \f$n_i\f$
 
   // inlined, or the loops would pass registers through memory
-  BOOST_FORCEINLINE Plane_distances(const Neighbor_pairs& pairs, std::size_t j)
+  BOOST_FORCEINLINE Plane_distances(const Neighbor_lanes& lanes, std::size_t j)
   {
-    const Lanes_3 d = pairs.differences(j), normals = pairs.normals(j); // d is from i to j
-    const Lanes own = d * pairs.normal, other = d * normals;
-    cosine = normals * pairs.normal;
-    const Lanes side(std::copysign(.5, cosine[0]), std::copysign(.5, cosine[1]));
-    distance = -(.5 * own + side * other);
+    const Lane_numbers numbers = lanes.numbers(j);
+    const Lanes_3 d = lanes.differences(numbers),
+                  normals = lanes.normals(numbers); // d is from i to j
+    const Lanes own = d * lanes.normal, other = d * normals;
+    cosine = normals * lanes.normal;
+    distance = -.5f * (own + flipped(other, cosine));
     squared_length = d.squared_length();
     squared_height = own * own;
   }
@@ -43,27 +44,27 @@ struct Plane_distances {
 /// \pre the normals of the neighborhood are known
 inline double mean_plane_distance(const Neighborhood_3& neighborhood)
 {
-  if (neighborhood.size() < 2)
+  if (neighborhood.size() < 2 || !(neighborhood.noise() > 0.))
     return 0.;
   const Plane_weights weigh(neighborhood);
   // the exponent of what is too far off to count, and a small weight against division by 0; each
   // neighbor weighs 1 at most
-  const double farthest = 7., few = .001;
-  const double residual = 1. / (2. * weigh.residual * weigh.residual + Plane_weights::tiny());
-  const Neighbor_pairs pairs(neighborhood);
-
-  Lanes sum(0., 0.), distances = sum;
-  for (std::size_t j = 0; j < neighborhood.size(); j += 2) {
-    const Plane_distances d(pairs, j);
+  const float farthest = 7.f;
+  const double few = .001;
+  const float residual = Plane_weights::inverse(2. * weigh.residual * weigh.residual);
+  const Neighbor_lanes lanes(neighborhood);
+  Lanes weights = Lanes::Zero(), distances = weights;
+  for (std::size_t j = 0; j < neighborhood.size(); j += Neighbor_lanes::width) {
+    const Plane_distances d(lanes, j);
     // a point too far off for all its neighbors still comes nearer, but not at once
     const Lanes far = (d.distance * d.distance * residual).min(farthest);
     const Lanes weight =
         bell(weigh.near(d.squared_length, d.squared_height) + weigh.angle.exponent(d.cosine) + far);
-    sum += weight;
+    weights += weight;
     distances += weight * d.distance;
   }
-  const double mean = distances.sum() / (sum.sum() - pairs.pads() + few);
-  return (std::min)((std::max)(mean, -weigh.residual), weigh.residual);
+  const double mean = sum(distances) / (sum(weights) - lanes.pads() + few);
+  return (std::min)((std::max)(mean, -weigh.residual), weigh.residual) * neighborhood.radius();
 }
 
 /// Moments of the \f$d_j\f$ about their mean, weighted by angle and tangential distance
@@ -96,24 +97,25 @@ struct Distance_moments {
     }
 
     const Angle_weight angle(neighborhood.noise() / neighborhood.spacing(), 0.);
-    const double width = neighborhood.gaussian_width();
-    const double near = 1. / (2. * width * width + Plane_weights::tiny());
-    const Neighbor_pairs pairs(neighborhood);
-    Lanes in_pairs[5] = {Lanes(0., 0.), Lanes(0., 0.), Lanes(0., 0.), Lanes(0., 0.), Lanes(0., 0.)};
-    for (std::size_t j = 0; j < neighborhood.size(); j += 2) {
-      const Plane_distances d(pairs, j);
-      const Lanes x = -d.distance / neighborhood.spacing();
-      const Lanes tangential = (d.squared_length - d.squared_height).max(0.);
+    const double width = neighborhood.filter_width();
+    const float near = Plane_weights::inverse(2. * width * width);
+    const float in_spacings = float(-neighborhood.radius() / neighborhood.spacing());
+    const Neighbor_lanes lanes(neighborhood);
+    Lanes in_lanes[5] = {Lanes::Zero(), Lanes::Zero(), Lanes::Zero(), Lanes::Zero(), Lanes::Zero()};
+    for (std::size_t j = 0; j < neighborhood.size(); j += Neighbor_lanes::width) {
+      const Plane_distances d(lanes, j);
+      const Lanes x = d.distance * in_spacings;
+      const Lanes tangential = (d.squared_length - d.squared_height).max(0.f);
       Lanes power = bell(tangential * near + angle.exponent(d.cosine));
-      for (Lanes& sum : in_pairs) {
-        sum += power;
+      for (Lanes& sum_of_powers : in_lanes) {
+        sum_of_powers += power;
         power *= x;
       }
     }
     double sums[5];
     for (int i = 0; i < 5; ++i)
-      sums[i] = in_pairs[i].sum();
-    sums[0] -= pairs.pads();
+      sums[i] = sum(in_lanes[i]);
+    sums[0] -= lanes.pads();
     if (!(sums[0] > 0.))
       return; // no neighbors
     const double m1 = sums[1] / sums[0], m2 = sums[2] / sums[0], m3 = sums[3] / sums[0];

@@ -44,9 +44,10 @@ struct Flow_result {
 };
 
 /// The cost of all stages, for the progress
+/// \param likely_size see `likely_size()`
 template <typename Flow, typename Curvature>
 double total_cost(const Flow_parameters& parameters, const Flow& flow, const Curvature&,
-                  const Wanted_results& wanted)
+                  const Wanted_results& wanted, std::size_t likely_size)
 {
   namespace costs = stage_costs;
   const unsigned int steps =
@@ -55,7 +56,7 @@ double total_cost(const Flow_parameters& parameters, const Flow& flow, const Cur
   const double planes = uses_surface_estimate  ? costs::planes
                         : uses_prefilter(flow) ? costs::prefilter + costs::planes
                                                : 0.;
-  return costs::analysis + costs::graph +
+  return costs::analysis + (likely_size == 0 ? costs::graph : costs::adapt) +
          (uses_surface_estimate ? costs::sheets + costs::shrink : 0.) +
          steps * (planes + costs::step) +
          (Number_of_sheet_rounds<Curvature>::value + Number_of_corrections<Curvature>::value) *
@@ -85,9 +86,8 @@ public:
   {
     const std::size_t n = points.buffer().size();
     if (n <= block_size) {
-      m_loops.begin_stage(stage_costs::graph);
-      Block all =
-          take_all(points.buffer(), points.part_of(), points.tree(), m_plan.search, m_loops);
+      adapt_graph(points);
+      Block all = take_all(points.buffer(), points.part_of(), std::move(points.graph()));
       points.forget_points();
       run(all);
     }
@@ -119,6 +119,17 @@ public:
   }
 
 private:
+  /// To what is planned
+  void adapt_graph(Analyzed_points& points) const
+  {
+    const bool has_graph = points.graph().number_of_points() != 0;
+    m_loops.begin_stage(has_graph ? stage_costs::adapt : stage_costs::graph);
+    if (has_graph)
+      points.graph().adapt(points.tree(), m_plan.search, m_loops);
+    else
+      points.graph() = Neighbor_graph(points.tree(), m_plan.search, m_loops);
+  }
+
   Flow_result take_result(std::size_t n)
   {
     m_loops.set_share(1.);

@@ -4,6 +4,8 @@
 
 #include <CGAL/license/Point_set_flow.h>
 
+#include <CGAL/Point_set_flow/Curvature_defaults.h>
+
 #include <cstddef>
 #include <optional>
 
@@ -24,6 +26,17 @@ struct Flow_parameters {
   unsigned int update_period = 4; // 0: never
   std::size_t block_size = std::size_t(1) << 22;
 };
+
+/// How many neighbors of each point will suit the flow, before that is known: those for noise of .6 spacings if
+/// they are not given. Searched once, they serve the analysis and the flow.
+/// \return 0 if the neighbors are searched anew for the flow: block by block, or with a limit
+inline std::size_t likely_size(const Flow_parameters& parameters,
+                               const Curvature_defaults& defaults, std::size_t number_of_points)
+{
+  if (number_of_points > parameters.block_size || parameters.neighbor_radius > 0.)
+    return 0;
+  return parameters.k ? *parameters.k : defaults.neighborhood_size(.6);
+}
 
 } // namespace internal
 } // namespace Point_set_flow

@@ -15,6 +15,7 @@
 #include <CGAL/Point_set_flow/internal/neighbors/Block_cutter.h>
 #include <CGAL/Point_set_flow/internal/flow/Rest_reason.h>
 #include <CGAL/Point_set_flow/internal/noise/two_sheets.h>
+#include <CGAL/Point_set_flow/internal/parallel/Compact_vector_3.h>
 
 #include <algorithm>
 #include <cmath>
@@ -39,11 +40,10 @@ class Flow_run {
   const Curvature& m_curvature;
   Loops<ConcurrencyTag>& m_loops;
   Surface_state m_state;
-  Array<Point_3> m_before; // the last step
-  Array<Point_3> m_input;  // empty if the result is not corrected
-  // of the tangent planes of the current surface if the estimator knows the noise, else of the
-  // prefiltered surface
-  Array<double> m_variation;
+  Array<Compact_vector_3> m_moves; // of the last step, in neighborhood radii
+  Array<Compact_vector_3>
+      m_all_moves;                    // the sums of all steps; empty if the result is not corrected
+  Array<double> m_filtered_variation; // of the prefiltered surface, if the flow looks at it
 
 public:
   Flow_run(const Flow_plan& plan, Block& block, const Flow& flow, const Curvature& curvature,
@@ -68,32 +68,35 @@ public:
   /// All steps.
   void operator()()
   {
-    m_variation.resize(m_block.reference.size());
     if (is_corrected && m_plan.number_of_iterations > 0)
-      m_input = m_block.reference;
+      m_all_moves.resize(m_block.reference.size());
     Array<Point_3> filtered;
     for (unsigned int t = 0; t < m_plan.number_of_iterations; ++t) {
       if (m_plan.update_period != 0 && t != 0 && t % m_plan.update_period == 0)
         m_block.reference = m_block.points; // section 3.2
-      m_before = Array<Point_3>();          // save memory while normals are computed
+      m_moves = Array<Compact_vector_3>();  // save memory while normals are computed
       m_state.time = t == 0 ? 0. : t / (m_plan.number_of_iterations - 1.);
 
       if (m_plan.is_prefiltered) {
         m_loops.begin_stage(stage_costs::prefilter);
         prefilter(m_block.current_points(), m_block.graph, m_plan.filter_width, filtered, m_loops);
-        find_planes(filtered, nullptr);
+        m_filtered_variation.resize(filtered.size());
+        find_planes(filtered, [&](std::size_t i, const Tangent_plane_3& plane) {
+          m_filtered_variation[i] = plane.variation;
+        });
       }
       if (uses_surface_estimate) {
-        Array<Vector_3> normals(m_block.reference.size());
-        find_planes(m_block.current_points(), &normals);
-        m_state.normals.swap(normals);
+        Array<Compact_tangent_plane_3> planes(m_block.reference.size());
+        find_planes(m_block.current_points(), [&](std::size_t i, const Tangent_plane_3& plane) {
+          planes[i] = Compact_tangent_plane_3(plane.normal, plane.variation);
+        });
+        m_state.planes.swap(planes);
         if (t == 0)
           adapt_neighborhoods();
       }
 
       allocate_points();
-      m_before.resize(m_block.points.size());
-      m_before.swap(m_block.points);
+      m_moves.resize(m_block.points.size());
       step(); // also if nothing moves: whether that is so depends on where blocks end
     }
     allocate_points(); // without iterations
@@ -105,7 +108,7 @@ public:
   /// How far a point of the block moved in the last step
   double moved(std::size_t i) const
   {
-    return m_before.empty() ? 0. : std::sqrt(squared_distance(m_block.points[i], m_before[i]));
+    return m_moves.empty() ? 0. : std::sqrt(move(i).squared_length());
   }
 
   /// Why a point of the block did not move, if it did not
@@ -127,14 +130,18 @@ public:
   Array<Vector_3> find_normals()
   {
     Array<Vector_3> normals(m_block.points.size());
-    Array<double> variation(m_block.points.size());
     // Without noise, near neighbors are more informative, and the strict weights of the last step
     // would only reproduce the normals of the step before.
     const double narrowing = uses_surface_estimate ? .5 : 1.;
     m_state.time = 0.;
     m_loops.begin_stage(stage_costs::planes);
-    find_tangent_planes(surface(m_block.points, narrowing), m_curvature, &normals, variation,
-                        m_loops);
+    find_tangent_planes(
+        surface(m_block.points, narrowing), m_curvature,
+        [&](std::size_t i, const Tangent_plane_3& plane) {
+          const double squared = plane.normal.squared_length(); // it may be a compact one
+          normals[i] = squared > 0. ? plane.normal / std::sqrt(squared) : plane.normal;
+        },
+        m_loops);
     return normals;
   }
 
@@ -144,10 +151,12 @@ public:
   {
     Array<double> strength(m_block.points.size());
     m_loops.begin_stage(stage_costs::planes);
-    find_tangent_planes(surface(m_block.points), Covariance_curvature(), nullptr, strength,
-                        m_loops);
-    for (double& x : strength)
-      x = 1. - m_plan.feature_diffusivity(x);
+    find_tangent_planes(
+        surface(m_block.points), Covariance_curvature(),
+        [&](std::size_t i, const Tangent_plane_3& plane) {
+          strength[i] = 1. - m_plan.feature_diffusivity(plane.variation);
+        },
+        m_loops);
     return strength;
   }
 
@@ -157,10 +166,11 @@ private:
     return {points, m_block.graph, m_state, narrowing};
   }
 
-  void find_planes(const Array<Point_3>& points, Array<Vector_3>* normals)
+  template <typename Take>
+  void find_planes(const Array<Point_3>& points, const Take& take)
   {
     m_loops.begin_stage(stage_costs::planes);
-    find_tangent_planes(surface(points), m_curvature, normals, m_variation, m_loops);
+    find_tangent_planes(surface(points), m_curvature, take, m_loops);
   }
 
   /// Allocates the moving points when they are first needed, to save memory.
@@ -204,11 +214,17 @@ private:
     }
   }
 
+  /// The residual is what all steps took off a point.
   void correct_result()
   {
-    const auto is_fixed = [&](std::size_t i) { return rest_reason(i) != Rest_reason::OTHER; };
-    correct(m_input, m_block.points, m_block.graph, m_state, m_curvature, is_fixed, m_loops);
-    m_input = Array<Point_3>(); // memory
+    m_state.residuals.resize(m_all_moves.size());
+    for (std::size_t i = 0; i < m_all_moves.size(); ++i)
+      m_state.residuals[i] =
+          -length_of_move(i) * (m_all_moves[i].vector() * m_state.planes[i].normal());
+    m_all_moves = Array<Compact_vector_3>(); // memory
+    correct(
+        m_block.points, m_block.graph, m_state, m_curvature,
+        [&](std::size_t i) { return rest_reason(i) != Rest_reason::OTHER; }, m_loops);
   }
 
   bool is_isolated(std::size_t i) const
@@ -223,16 +239,32 @@ private:
   /// that the result does not depend on the order of the points or on threads.
   void step()
   {
-    const Surface before = surface(m_before);
-    m_loops.begin_stage(stage_costs::step);
+    const Surface before = surface(m_block.points);
+    m_loops.begin_stage(stage_costs::step, 2);
     m_loops.for_each_chunk(before.size(), [&](std::size_t begin, std::size_t end) {
       for (std::size_t i = begin; i < end; ++i) {
-        m_block.points[i] = m_before[i];
         const bool is_constrained = !m_block.constrained.empty() && m_block.constrained[i];
-        if (!is_constrained && !is_isolated(i))
-          m_block.points[i] = m_before[i] + motion(before, i) * (m_plan.step_length / m_plan.unit);
+        m_moves[i] = is_constrained || is_isolated(i)
+                         ? Compact_vector_3()
+                         : Compact_vector_3(motion(before, i) *
+                                            (m_plan.step_length / m_plan.unit / length_of_move(i)));
       }
     });
+    m_loops.for_each_chunk(before.size(), [&](std::size_t begin, std::size_t end) {
+      for (std::size_t i = begin; i < end; ++i) {
+        m_block.points[i] = m_block.points[i] + move(i);
+        if constexpr (is_corrected)
+          m_all_moves[i] = Compact_vector_3(m_all_moves[i].vector() + m_moves[i].vector());
+      }
+    });
+  }
+
+  Vector_3 move(std::size_t i) const { return length_of_move(i) * m_moves[i].vector(); }
+
+  /// The length of 1 of the move: the range of `float` is small.
+  double length_of_move(std::size_t i) const
+  {
+    return m_block.graph.radius(i) > 0. ? m_block.graph.radius(i) : 1.;
   }
 
   /// \f$\partial u / \partial t\f$, in the unit of the data, which the flow sees
@@ -240,14 +272,13 @@ private:
   {
     const Neighborhood_3 neighborhood = before.neighborhood(i);
     // estimators that do not use the normals of neighbors need no memory for them
-    const Tangent_plane_3 plane = uses_surface_estimate
-                                      ? Tangent_plane_3{m_state.normals[i], m_variation[i]}
-                                      : tangent_plane_of(neighborhood, m_curvature);
+    const Tangent_plane_3 plane =
+        uses_surface_estimate ? m_state.plane(i) : tangent_plane_of(neighborhood, m_curvature);
     const double curvature =
         neighborhood.size() >= 2 ? m_curvature.directional_curvature(neighborhood, plane) : 0.;
     return m_flow({plane.normal, curvature * m_plan.unit, plane.variation,
-                   m_plan.is_prefiltered ? m_variation[i] : plane.variation,
-                   (m_block.reference[i] - m_before[i]) * m_plan.unit},
+                   m_plan.is_prefiltered ? m_filtered_variation[i] : plane.variation,
+                   (m_block.reference[i] - m_block.points[i]) * m_plan.unit},
                   m_state.parameters(i).diffusivity);
   }
 };

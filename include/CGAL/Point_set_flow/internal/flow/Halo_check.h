@@ -52,10 +52,11 @@ public:
       const Point_3& p = m_points.buffer().reference[site];
       const double to_sample = map.distance(p, part);
       // the last ring needs no neighbors, and has none in the graph
-      const double found = rings_left == 0 ? 0. : graph.radius(i);
-      const double radius = rings_left == 0 ? 0.
-                                            : searched_radius(graph.size(i), m_search.k_of(site),
-                                                              found, m_search.radius);
+      const double found = rings_left == 0 ? 0. : graph.radius(i - begin);
+      const double radius =
+          rings_left == 0
+              ? 0.
+              : searched_radius(graph.size(i - begin), m_search.k_of(site), found, m_search.radius);
       if (clearance.holds(site, (std::max)(radius, to_sample)) &&
           map.certainty().is_certain(part) && map.certainty().is_certain(p, to_sample))
         continue;

@@ -16,24 +16,18 @@ namespace internal {
 
 /// Moves the result of the flow along the normals of its last step, by what the estimator tells from the
 /// residuals. In each round all points move at once.
-/// \param input where the points were before the flow
-/// \param points where they are; are moved
+/// \param points are moved
+/// \param state has the residuals
 /// \param is_fixed tells by its index whether a point stays
 template <typename ConcurrencyTag, typename Curvature, typename Is_fixed>
-void correct(const Array<Point_3>& input, Array<Point_3>& points, const Neighbor_graph& graph,
-             Surface_state& state, const Curvature& curvature, const Is_fixed& is_fixed,
-             Loops<ConcurrencyTag>& loops)
+void correct(Array<Point_3>& points, const Neighbor_graph& graph, Surface_state& state,
+             const Curvature& curvature, const Is_fixed& is_fixed, Loops<ConcurrencyTag>& loops)
 {
   const std::size_t n = points.size();
-  state.residuals.resize(n);
-  loops.for_each_chunk(n, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t i = begin; i < end; ++i)
-      state.residuals[i] = (input[i] - points[i]) * state.normals[i];
-  });
   const Surface surface{points, graph, state};
   Array<double> movements(n);
   for (unsigned int round = 0; round < Number_of_corrections<Curvature>::value; ++round) {
-    loops.begin_stage(stage_costs::network);
+    loops.begin_stage(stage_costs::network, 2);
     loops.for_each_chunk(n, [&](std::size_t begin, std::size_t end) {
       for (std::size_t i = begin; i < end; ++i) {
         const Neighborhood_3 neighborhood = surface.neighborhood(i);
@@ -44,7 +38,7 @@ void correct(const Array<Point_3>& input, Array<Point_3>& points, const Neighbor
     });
     loops.for_each_chunk(n, [&](std::size_t begin, std::size_t end) {
       for (std::size_t i = begin; i < end; ++i) {
-        points[i] = points[i] + movements[i] * state.normals[i];
+        points[i] = points[i] + movements[i] * state.planes[i].normal();
         state.residuals[i] -= movements[i];
       }
     });

@@ -46,9 +46,10 @@ inline void take_found_sides(Surface_state& state, const Array<signed char>& sid
       continue;
     if (state.sides.empty())
       state.sides = Array<Vector_3>(sides.size(), Vector_3(NULL_VECTOR));
+    Compact_tangent_plane_3& plane = state.planes[i];
     if (sides[i] < 0)
-      state.normals[i] = -state.normals[i];
-    state.sides[i] = state.normals[i];
+      plane = Compact_tangent_plane_3(-plane.normal(), double(plane.variation));
+    state.sides[i] = plane.normal();
   }
 }
 

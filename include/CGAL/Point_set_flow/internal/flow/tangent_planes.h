@@ -23,18 +23,15 @@ Tangent_plane_3 tangent_plane_of(const Neighborhood_3& neighborhood, const Curva
 
 /// The tangent plane of each point of a surface, with the surface variation, Eq. (2); of the
 /// prefiltered surface this is \f$|\kappa_H(G_\sigma \times u)|\f$.
-/// \param normals receives the normals, oriented to the sides that are known; null if not needed
-template <typename ConcurrencyTag, typename Curvature>
-void find_tangent_planes(const Surface& surface, const Curvature& curvature,
-                         Array<Vector_3>* normals, Array<double>& variation,
+/// \param take called for each point as `take(i, plane)`, with the normal oriented to the side that is known
+template <typename ConcurrencyTag, typename Curvature, typename Take>
+void find_tangent_planes(const Surface& surface, const Curvature& curvature, const Take& take,
                          Loops<ConcurrencyTag>& loops)
 {
   loops.for_each_chunk(surface.size(), [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
       const Tangent_plane_3 plane = tangent_plane_of(surface.neighborhood(i), curvature);
-      variation[i] = plane.variation;
-      if (normals)
-        (*normals)[i] = surface.state.oriented(i, plane.normal);
+      take(i, Tangent_plane_3{surface.state.oriented(i, plane.normal), plane.variation});
     }
   });
 }

@@ -37,11 +37,8 @@ struct Block {
 };
 
 /// All points, which are taken from the buffer, in one block.
-template <typename ConcurrencyTag>
-Block take_all(Point_buffer& buffer, Array<std::uint32_t>& part_of, const Neighbor_tree& tree,
-               const Search_options& search, Loops<ConcurrencyTag>& loops)
+inline Block take_all(Point_buffer& buffer, Array<std::uint32_t>& part_of, Neighbor_graph&& graph)
 {
-  Neighbor_graph graph(tree, search, loops);
   return {std::move(buffer.start),
           std::move(buffer.reference),
           std::move(buffer.constrained),

@@ -57,10 +57,10 @@ public:
                                    const Is_certain& is_certain, Loops<ConcurrencyTag>& loops)
   {
     std::vector<std::uint32_t> sites = interior; // ring by ring
-    const std::optional<Neighbor_graph> found = add_rings(sites, rings, is_certain, loops);
-    if (!found)
+    const std::optional<std::vector<Neighbor_graph>> graphs =
+        add_rings(sites, rings, is_certain, loops);
+    if (!graphs)
       return std::nullopt;
-    const Neighbor_graph& graph = *found;
 
     // The block keeps the order of the point set, so that ties are broken and sums are taken in the
     // same way.
@@ -69,7 +69,7 @@ public:
     for (std::size_t i = 0; i < sorted.size(); ++i)
       m_place[sorted[i]] = static_cast<std::uint32_t>(i);
 
-    Block block = {{}, {}, {}, graph.renumbered(sites, m_place), {}, m_buffer.noise.of(sorted),
+    Block block = {{}, {}, {}, joined(*graphs, sites, loops), {}, m_buffer.noise.of(sorted),
                    {}, {}};
     for (const std::uint32_t site : sorted) {
       if (!m_buffer.start.empty())
@@ -89,36 +89,63 @@ public:
   }
 
 private:
-  /// \return the neighbors of all sites but those of the last ring
+  /// \return the graph of each ring but the last one
   template <typename Is_certain, typename ConcurrencyTag>
-  std::optional<Neighbor_graph> add_rings(std::vector<std::uint32_t>& sites, std::size_t rings,
-                                          const Is_certain& is_certain,
-                                          Loops<ConcurrencyTag>& loops)
+  std::optional<std::vector<Neighbor_graph>>
+  add_rings(std::vector<std::uint32_t>& sites, std::size_t rings, const Is_certain& is_certain,
+            Loops<ConcurrencyTag>& loops)
   {
     for (const std::uint32_t site : sites)
       m_place[site] = 0;
-    Neighbor_graph graph;
+    std::vector<Neighbor_graph> graphs;
     std::size_t begin = 0;
     for (std::size_t ring = 0; ring < rings && begin < sites.size(); ++ring) {
       const std::size_t end = sites.size();
-      graph.add(m_tree, sites.data() + begin, sites.data() + end, m_search, loops);
-      if (!is_certain(sites, begin, graph, rings - ring))
+      graphs.emplace_back(m_tree, sites.data() + begin, end - begin, m_search, loops);
+      if (!is_certain(sites, begin, graphs.back(), rings - ring))
         return std::nullopt;
-      for (std::size_t i = begin; i < end; ++i)
-        for (std::size_t j = 0; j < graph.size(i); ++j) {
-          const std::uint32_t neighbor = graph.neighbors(i)[j];
-          if (m_place[neighbor] == nowhere) {
-            m_place[neighbor] = 0;
-            sites.push_back(neighbor);
+      for (std::size_t i = begin; i < end; ++i) {
+        const Neighbor_numbers near = graphs.back().neighbors(i - begin, sites[i]);
+        for (std::size_t j = 0; j < near.size(); ++j)
+          if (m_place[near[j]] == nowhere) {
+            m_place[near[j]] = 0;
+            sites.push_back(near[j]);
           }
-        }
+      }
       // in the order of space, for the search
       std::sort(sites.begin() + std::ptrdiff_t(end), sites.end());
       begin = end;
     }
-    if (!is_certain(sites, begin, graph, std::size_t(0)))
+    if (!is_certain(sites, begin, Neighbor_graph(), std::size_t(0)))
       return std::nullopt;
-    return graph;
+    return graphs;
+  }
+
+  /// The graphs of all rings in one, of the points in their places
+  /// \param sites ring by ring
+  template <typename ConcurrencyTag>
+  Neighbor_graph joined(const std::vector<Neighbor_graph>& graphs,
+                        const std::vector<std::uint32_t>& sites, Loops<ConcurrencyTag>& loops) const
+  {
+    std::vector<std::uint32_t> number(sites.size()); // in the order of the sites, of each place
+    for (std::size_t i = 0; i < sites.size(); ++i)
+      number[m_place[sites[i]]] = static_cast<std::uint32_t>(i);
+    return Neighbor_graph(
+        sites.size(),
+        [&](std::size_t begin, std::size_t end, const auto& add) {
+          for (std::size_t place = begin; place < end; ++place) {
+            std::size_t i = number[place], ring = 0;
+            while (ring < graphs.size() && i >= graphs[ring].number_of_points())
+              i -= graphs[ring++].number_of_points();
+            if (ring == graphs.size())
+              continue; // the last ring
+            const Neighbor_numbers near = graphs[ring].neighbors(i, sites[number[place]]);
+            add(
+                place, place, near.size(), [&](std::size_t j) { return m_place[near[j]]; },
+                graphs[ring].radius(i));
+          }
+        },
+        loops);
   }
 };
 

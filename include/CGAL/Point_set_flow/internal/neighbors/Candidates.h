@@ -9,7 +9,6 @@
 #include <Eigen/Core>
 
 #include <algorithm>
-#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -19,10 +18,10 @@ namespace Point_set_flow {
 namespace internal {
 
 /// The points within some distance of a box around a group of points, side by side in memory, in their
-/// own order: sums over neighbors must not depend on how a tree splits, which points far away decide.
+/// own order.
 class Candidates {
   const Neighbor_tree& m_tree;
-  std::array<double, 3> m_low, m_high;
+  Box_3 m_box = Box_3(Point_3(0., 0., 0.));
   double m_reach = 0.;
   std::size_t m_count = 0;
   Eigen::ArrayXd m_x, m_y, m_z;
@@ -38,20 +37,17 @@ public:
   double reach() const { return m_reach; }
   std::uint32_t site(std::size_t j) const { return m_sites[j]; }
 
-  void start_box(const Point_3& p) { m_low = m_high = {{p.x(), p.y(), p.z()}}; }
+  void start_box(const Point_3& p) { m_box = Box_3(p); }
 
   /// \return whether the box now holds the point: it does unless a side becomes too long
   bool grow_box(const Point_3& p, double longest_side)
   {
-    std::array<double, 3> low = m_low, high = m_high;
-    for (std::size_t d = 0; d < 3; ++d) {
-      low[d] = (std::min)(low[d], p[int(d)]);
-      high[d] = (std::max)(high[d], p[int(d)]);
-      if (high[d] - low[d] > longest_side)
+    Box_3 box = m_box;
+    box.add(Box_3(p));
+    for (std::size_t d = 0; d < 3; ++d)
+      if (box.high[d] - box.low[d] > longest_side)
         return false;
-    }
-    m_low = low;
-    m_high = high;
+    m_box = box;
     return true;
   }
 
@@ -61,14 +57,10 @@ public:
   {
     m_reach = reach;
     m_count = 0;
-    const bool is_all = m_tree.visit_leaves(m_low, m_high, m_reach * m_reach,
-                                            [&](const std::size_t* begin, const std::size_t* end) {
-                                              collect_near(begin, end);
-                                              return m_count <= most;
-                                            });
-    if (is_all)
-      put_in_order();
-    return is_all;
+    return m_tree.visit_leaves(m_box, m_reach * m_reach, [&](std::size_t begin, std::size_t end) {
+      collect_near(begin, end);
+      return m_count <= most;
+    });
   }
 
   void squared_distances(const Point_3& p, Eigen::ArrayXd& squared) const
@@ -87,38 +79,21 @@ private:
     m_sites.resize(size);
   }
 
-  void put_in_order()
+  void collect_near(std::size_t begin, std::size_t end)
   {
-    std::sort(m_sites.begin(), m_sites.begin() + std::ptrdiff_t(m_count));
-    for (std::size_t j = 0; j < m_count; ++j) {
-      const Point_3& p = m_tree.points()[m_sites[j]];
-      m_x[Eigen::Index(j)] = p.x();
-      m_y[Eigen::Index(j)] = p.y();
-      m_z[Eigen::Index(j)] = p.z();
-    }
-  }
-
-  void collect_near(const std::size_t* begin, const std::size_t* end)
-  {
-    const std::size_t size = m_count + std::size_t(end - begin);
+    const std::size_t size = m_count + (end - begin);
     if (size > capacity())
       make_room(2 * size);
-    std::uint32_t* const sites = m_sites.data();
     const Point_3* const points = m_tree.points().data();
-    const std::array<double, 3> low = m_low, high = m_high;
+    const Box_3 box = m_box;
     const double squared = m_reach * m_reach;
     std::size_t count = m_count;
-    for (; begin != end; ++begin) {
-      const Point_3& p = points[*begin];
-      const double x = p.x(), y = p.y(), z = p.z();
-      sites[count] = static_cast<std::uint32_t>(*begin);
-      const auto clamp = [](double c, double least, double most) {
-        const double lower = c < least ? least : c;
-        return c - (lower > most ? most : lower);
-      };
-      const double dx = clamp(x, low[0], high[0]), dy = clamp(y, low[1], high[1]),
-                   dz = clamp(z, low[2], high[2]);
-      count += std::size_t(dx * dx + dy * dy + dz * dz <= squared);
+    for (std::size_t i = begin; i != end; ++i) {
+      m_sites[count] = static_cast<std::uint32_t>(i);
+      m_x[Eigen::Index(count)] = points[i].x();
+      m_y[Eigen::Index(count)] = points[i].y();
+      m_z[Eigen::Index(count)] = points[i].z();
+      count += std::size_t(box.squared_distance(Box_3(points[i])) <= squared);
     }
     m_count = count;
   }

@@ -5,6 +5,7 @@
 #include <CGAL/license/Point_set_flow.h>
 
 #include <CGAL/Point_set_flow/internal/neighbors/Candidates.h>
+#include <CGAL/Point_set_flow/internal/neighbors/Nearest_first.h>
 #include <CGAL/Point_set_flow/internal/neighbors/Neighbor_query.h>
 #include <CGAL/Point_set_flow/internal/neighbors/Search_options.h>
 
@@ -36,13 +37,9 @@ class Group_search {
   Candidates m_candidates;
   Eigen::ArrayXd m_squared_distance; // of the candidates
 
-  // those of them that are near enough to be sure of them
-  std::size_t m_within = 0;
-  double m_squared_limit = 0.;
-  std::vector<std::uint32_t> m_near;
-  std::vector<double> m_squared;
-  std::vector<Neighbor> m_sorted;
-  std::vector<std::uint32_t> m_found;
+  std::vector<Neighbor> m_near; // those of them that are near enough to be sure of them
+  Nearest_first m_nearest_first;
+  std::vector<Neighbor> m_found;
 
 public:
   Group_search(const Neighbor_tree& tree, const Search_options& options)
@@ -51,8 +48,8 @@ public:
         m_candidates(tree)
   {}
 
-  /// Calls `visit(neighbors, radius)` for each point of `[first, last)`, one after the other: its nearest
-  /// neighbors without itself, in the order of the points, and the distance of the farthest.
+  /// Calls `visit(neighbors)` for each point of `[first, last)`, one after the other: its nearest neighbors
+  /// without itself, nearest first.
   template <typename Iterator, typename Visit>
   void operator()(Iterator first, Iterator last, const Visit& visit)
   {
@@ -67,15 +64,14 @@ public:
       for (std::size_t n = 0; n < group_size && end != last; ++n, ++end)
         if (most_neighbors(*end) != m_k || !m_candidates.grow_box(points[*end], 2. * m_radius))
           break;
-      // A ball with that many points belongs to a sparse place beside a dense one: there, each point
-      // is better searched alone.
-      bool enough = collect(1.1 * m_radius, 32 * (m_k + group_size));
+      bool enough = collect(1.1 * m_radius);
       double largest = 0.;
       do {
-        enough = enough && choose(*first);
+        enough =
+            enough && (choose(*first) || (collect(1.5 * m_candidates.reach()) && choose(*first)));
         if (!enough)
           choose_alone(*first);
-        visit(m_found, m_radius);
+        visit(m_found);
         largest = (std::max)(largest, m_radius);
         ++first;
       } while (enough && first != end);
@@ -107,13 +103,16 @@ private:
     return found.empty() ? 0. : std::sqrt(found.back().squared_distance);
   }
 
+  /// \return whether they are not too many: a ball with that many points belongs to a sparse place beside a
+  /// dense one, where each point is better searched alone
+  bool collect(double reach) { return collect(reach, 32 * (m_k + group_size)); }
+
   bool collect(double reach, std::size_t most)
   {
     const bool enough = m_candidates.collect((std::min)(reach, m_largest), most);
     if (m_near.size() <= m_candidates.capacity()) {
       m_squared_distance.resize(Eigen::Index(m_candidates.capacity()));
       m_near.resize(m_candidates.capacity() + 1);
-      m_squared.resize(m_candidates.capacity() + 1);
     }
     return enough;
   }
@@ -125,14 +124,20 @@ private:
     m_candidates.squared_distances(m_tree.points()[i], m_squared_distance);
     // most have as many neighbors in a ball a little larger than that of the point before; nothing
     // beyond the reach of the candidates is known
-    const double likely = 1.15 * m_radius, reach = m_candidates.reach();
-    if (!(likely < reach && gather(likely * likely) >= m_k) && gather(reach * reach) < m_k &&
-        reach < m_largest) {
+    double limit = 1.15 * m_radius;
+    const double reach = m_candidates.reach();
+    std::size_t within = limit < reach ? gather(limit) : 0;
+    if (within <= m_k) {
+      limit = reach;
+      within = gather(limit);
+    }
+    if (within <= m_k && reach < m_largest) {
       if (m_candidates.size() < m_tree.points().size())
         return false;
-      gather(m_largest * m_largest); // all points are candidates
+      limit = m_largest;
+      within = gather(limit); // all points are candidates
     }
-    keep_nearest(i);
+    keep_nearest(i, within, limit * limit);
     return true;
   }
 
@@ -147,72 +152,29 @@ private:
   }
 
   /// Gathers those that are not farther.
-  /// \return how many, without the point itself
-  std::size_t gather(double squared_radius)
+  /// \return how many, with the point itself
+  std::size_t gather(double radius)
   {
+    const double squared_radius = radius * radius;
     const double* const squared = m_squared_distance.data();
-    std::uint32_t* const near = m_near.data();
-    std::size_t n = 0;
-    const std::size_t count = m_candidates.size();
-    for (std::size_t j = 0; j < count; ++j) {
-      near[n] = static_cast<std::uint32_t>(j);
-      n += std::size_t(squared[j] <= squared_radius);
+    Neighbor* near = m_near.data();
+    for (std::size_t j = 0; j < m_candidates.size(); ++j) {
+      *near = {squared[j], m_candidates.site(j)};
+      near += std::size_t(squared[j] <= squared_radius);
     }
-    m_squared_limit = squared_radius;
-    m_within = n;
-    return n - 1;
+    return std::size_t(near - m_near.data());
   }
 
-  /// The `k` nearest of those gathered, in the order of the points
-  void keep_nearest(std::size_t i)
+  /// The `k` nearest of those gathered
+  void keep_nearest(std::size_t i, std::size_t within, double squared_limit)
   {
-    for (std::size_t j = 0; j < m_within; ++j)
-      m_squared[j] = m_squared_distance[m_near[j]];
-    Neighbor last = {(std::numeric_limits<double>::infinity)(), 0};
-    if (m_within > m_k + 1)
-      last = farthest_of_nearest();
-    m_found.resize(m_within + 1);
-    std::size_t count = 0;
-    double largest = 0.;
-    for (std::size_t j = 0; j < m_within; ++j) {
-      const double squared = m_squared[j];
-      const std::uint32_t site = m_candidates.site(m_near[j]);
-      m_found[count] = site;
-      const bool is_near = (squared < last.squared_distance) |
-                           ((squared == last.squared_distance) & (site <= last.index));
-      largest = (std::max)(largest, is_near ? squared : 0.);
-      count += std::size_t(is_near & (site != i));
-    }
-    m_found.resize((std::min)(count, m_k)); // squared distances may be 0 between distinct points
-    m_radius = std::sqrt(largest);
-  }
-
-  /// What separates the `k` nearest of those gathered from the others. The number of points in a
-  /// ball on a surface grows with its squared radius, so that a few interpolations suffice.
-  Neighbor farthest_of_nearest()
-  {
-    double low = 0., high = m_squared_limit;
-    const std::size_t wanted = m_k + 1; // with the point itself, which is the nearest
-    std::size_t below = 0, above = m_within;
-    for (int step = 0; step < 8; ++step) {
-      const double middle =
-          low + (high - low) * (double(wanted - below) + .5) / (double(above - below) + 1.);
-      std::size_t count = 0;
-      for (std::size_t j = 0; j < m_within; ++j)
-        count += std::size_t(m_squared[j] <= middle);
-      if (count == wanted)
-        return {middle, (std::numeric_limits<std::uint32_t>::max)()};
-      if (count < wanted)
-        low = middle, below = count;
-      else
-        high = middle, above = count;
-    }
-    m_sorted.clear();
-    for (std::size_t j = 0; j < m_within; ++j)
-      m_sorted.push_back({m_squared[j], m_candidates.site(m_near[j])});
-    const auto nth = m_sorted.begin() + std::ptrdiff_t(wanted - 1);
-    std::nth_element(m_sorted.begin(), nth, m_sorted.end());
-    return *nth;
+    m_nearest_first(m_near.data(), within, m_k + 1, squared_limit, m_found);
+    const auto self = std::find_if(m_found.begin(), m_found.end(),
+                                   [&](const Neighbor& found) { return found.index == i; });
+    if (self != m_found.end())
+      m_found.erase(self);                           // as a rule the first one
+    m_found.resize((std::min)(m_found.size(), m_k)); // others may be in the same place
+    m_radius = m_found.empty() ? 0. : std::sqrt(m_found.back().squared_distance);
   }
 };
 

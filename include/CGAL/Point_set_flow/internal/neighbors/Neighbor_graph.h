@@ -6,6 +6,7 @@
 
 #include <CGAL/Point_set_flow/Neighborhood_3.h>
 #include <CGAL/Point_set_flow/internal/neighbors/Group_search.h>
+#include <CGAL/Point_set_flow/internal/neighbors/Neighbor_chunk.h>
 #include <CGAL/Point_set_flow/internal/neighbors/Search_options.h>
 #include <CGAL/Point_set_flow/internal/parallel/Array.h>
 #include <CGAL/Point_set_flow/internal/parallel/Loops.h>
@@ -23,102 +24,54 @@ namespace CGAL {
 namespace Point_set_flow {
 namespace internal {
 
-/// Where the neighbors of each point begin. There may be more than \f$2^{32}\f$ of them, but not of
-/// a few points.
-class Neighbor_offsets {
-  static constexpr std::size_t few = 64;
-  Array<std::size_t> m_bases; // of the first of a few points
-  Array<std::uint32_t> m_beyond_base;
-
-public:
-  void reserve(std::size_t n)
-  {
-    m_bases.reserve(n / few + 1);
-    m_beyond_base.reserve(n);
-  }
-  void push_back(std::size_t offset)
-  {
-    if (m_beyond_base.size() % few == 0)
-      m_bases.push_back(offset);
-    m_beyond_base.push_back(static_cast<std::uint32_t>(offset - m_bases.back()));
-  }
-  std::size_t operator[](std::size_t i) const { return m_bases[i / few] + m_beyond_base[i]; }
-};
-
-/// The nearest neighbors of all points, in one flat array.
+/// The nearest neighbors of points, nearest first: the first of them are the neighbors in a smaller neighborhood.
 class Neighbor_graph {
-  Array<std::uint32_t> m_neighbors;
-  Neighbor_offsets m_offsets;   // where those of each point begin
-  Array<std::uint32_t> m_sizes; // how many of them count
-  Array<double> m_radii;        // the distance of the farthest neighbor
+  std::vector<Neighbor_chunk> m_chunks;
+  Array<Neighbor_chunk::Place> m_places;
+  Array<double> m_radii; // the distance of the farthest neighbor
 
 public:
-  /// A graph without points yet
+  /// A graph without points
   Neighbor_graph() = default;
 
+  /// \param fill_chunk called for each chunk as `fill_chunk(begin, end, add)`, calls
+  /// `add(i, site, size, number, radius)` for those of its points that have neighbors; see `Neighbor_chunk::add()`
+  template <typename Fill_chunk, typename ConcurrencyTag>
+  Neighbor_graph(std::size_t n, const Fill_chunk& fill_chunk, Loops<ConcurrencyTag>& loops)
+      : m_chunks((n + chunk_size - 1) / chunk_size), m_places(n, Neighbor_chunk::Place{0, 0, 1}),
+        m_radii(n, 0.)
+  {
+    change(fill_chunk, loops);
+  }
+
+  /// \param sites, n points of the tree, which follow each other in space
+  template <typename Iterator, typename ConcurrencyTag>
+  Neighbor_graph(const Neighbor_tree& tree, Iterator sites, std::size_t n,
+                 const Search_options& search, Loops<ConcurrencyTag>& loops)
+      : Neighbor_graph(
+            n,
+            [&](std::size_t begin, std::size_t end, const auto& add) {
+              Group_search find(tree, search);
+              find_neighbors(find, sites, begin, end, add);
+            },
+            loops)
+  {}
+
+  /// Of all points
   template <typename ConcurrencyTag>
   Neighbor_graph(const Neighbor_tree& tree, const Search_options& search,
                  Loops<ConcurrencyTag>& loops)
-  {
-    typedef boost::counting_iterator<std::size_t> Site;
-    add(tree, Site(0), Site(tree.points().size()), search, loops);
-  }
+      : Neighbor_graph(tree, Site(0), tree.points().size(), search, loops)
+  {}
 
-  /// Adds points of the tree, which follow each other in space, with their neighbors.
-  template <typename ConcurrencyTag, typename Iterator>
-  void add(const Neighbor_tree& tree, Iterator first, Iterator last, const Search_options& search,
-           Loops<ConcurrencyTag>& loops)
+  std::size_t number_of_points() const { return m_places.size(); }
+  std::size_t size(std::size_t i) const { return m_places[i].size; }
+  double radius(std::size_t i) const { return m_radii[i]; }
+  Neighbor_numbers neighbors(std::size_t i) const { return neighbors(i, i); }
+  /// \param site the number of point `i` in the tree
+  Neighbor_numbers neighbors(std::size_t i, std::size_t site) const
   {
-    const std::size_t before = m_radii.size(), count = std::size_t(last - first);
-    const std::size_t others = tree.points().empty() ? 0 : tree.points().size() - 1;
-    m_sizes.resize(before + count, 0);
-    m_radii.resize(before + count, 0.);
-    std::size_t total = m_neighbors.size();
-    m_offsets.reserve(before + count);
-    for (std::size_t i = 0; i < count; ++i) {
-      m_offsets.push_back(total);
-      total += (std::min)(search.k_of(first[std::ptrdiff_t(i)]), others);
-    }
-    m_neighbors.resize(total);
-    loops.for_each_chunk(others == 0 ? 0 : count, [&](std::size_t begin, std::size_t end) {
-      Group_search find(tree, search);
-      std::size_t i = before + begin;
-      find(first + std::ptrdiff_t(begin), first + std::ptrdiff_t(end),
-           [&](const std::vector<std::uint32_t>& found, double farthest) {
-             std::copy(found.begin(), found.end(),
-                       m_neighbors.begin() + std::ptrdiff_t(m_offsets[i]));
-             m_sizes[i] = static_cast<std::uint32_t>(found.size());
-             m_radii[i] = farthest;
-             ++i;
-           });
-    });
-  }
-
-  /// The same graph where point `i` was `numbers[i]`, and is `place[numbers[i]]`. It has as many
-  /// points as there are numbers; those that were not in the graph have no neighbors.
-  Neighbor_graph renumbered(const std::vector<std::uint32_t>& numbers,
-                            const std::vector<std::uint32_t>& place) const
-  {
-    Neighbor_graph graph;
-    graph.m_sizes.assign(numbers.size(), 0);
-    graph.m_radii.assign(numbers.size(), 0.);
-    for (std::size_t i = 0; i < m_radii.size(); ++i) {
-      graph.m_sizes[place[numbers[i]]] = m_sizes[i];
-      graph.m_radii[place[numbers[i]]] = m_radii[i];
-    }
-    std::size_t total = 0;
-    graph.m_offsets.reserve(numbers.size());
-    for (const std::uint32_t size : graph.m_sizes) {
-      graph.m_offsets.push_back(total);
-      total += size;
-    }
-    graph.m_neighbors.resize(total);
-    for (std::size_t i = 0; i < m_radii.size(); ++i) {
-      std::uint32_t* const first = graph.m_neighbors.data() + graph.m_offsets[place[numbers[i]]];
-      for (std::size_t j = 0; j < m_sizes[i]; ++j)
-        first[j] = place[neighbors(i)[j]];
-    }
-    return graph;
+    return m_chunks[i / chunk_size].neighbors(site, m_places[i]);
   }
 
   /// \param points where the points are now
@@ -127,55 +80,107 @@ public:
   Neighborhood_3 neighborhood(const Array<Point_3>& points, std::size_t i, double filter_width,
                               const Surface_estimate_3& surface = Surface_estimate_3()) const
   {
-    return Neighborhood_3(points.data(), i, neighbors(i), size(i), m_radii[i], filter_width,
-                          surface);
+    return Neighborhood_3(points.data(), i, neighbors(i), m_radii[i], filter_width, surface);
   }
-
-  std::size_t size(std::size_t i) const { return m_sizes[i]; }
-  const std::uint32_t* neighbors(std::size_t i) const { return m_neighbors.data() + m_offsets[i]; }
-  double radius(std::size_t i) const { return m_radii[i]; }
 
   /// Whether a point is far from all others: its neighborhood is several times as large as each of its
   /// neighbors'. A scanner's invalid points are, which are written in one place.
   bool is_isolated(std::size_t i) const
   {
     const double several = 4., limit = m_radii[i] / several;
-    for (std::size_t j = 0; j < m_sizes[i]; ++j)
-      if (m_radii[neighbors(i)[j]] >= limit)
+    const Neighbor_numbers around = neighbors(i);
+    for (std::size_t j = 0; j < around.size(); ++j)
+      if (m_radii[around[j]] >= limit)
         return false; // as a rule, the first one
     return true;
   }
 
   Array<double>&& take_radii() { return std::move(m_radii); }
 
-  /// Leaves each point the nearest of its neighbors.
+  /// Leaves each point the nearest of its neighbors, and frees the memory of the others.
   /// \param points where the points were when the graph was made
   /// \param sizes how many, for each point; more than there are is as many as there are
   template <typename ConcurrencyTag>
   void shrink(const Array<Point_3>& points, const Array<std::uint32_t>& sizes,
               Loops<ConcurrencyTag>& loops)
   {
-    const auto shrink_chunk = [&](std::size_t begin, std::size_t end) {
-      std::vector<Neighbor> nearest;
-      for (std::size_t i = begin; i < end; ++i) {
-        if (sizes[i] >= m_sizes[i] || sizes[i] == 0)
-          continue;
-        std::uint32_t* const first = m_neighbors.data() + m_offsets[i];
-        std::uint32_t* const last = first + m_sizes[i];
-        nearest.clear();
-        for (const std::uint32_t* j = first; j != last; ++j)
-          nearest.push_back({squared_distance(points[i], points[*j]), *j});
-        const auto nth = nearest.begin() + (sizes[i] - 1);
-        std::nth_element(nearest.begin(), nth, nearest.end());
-        const Neighbor farthest = *nth;
-        const std::uint32_t* const rest = std::remove_if(first, last, [&](std::uint32_t j) {
-          return farthest < Neighbor{squared_distance(points[i], points[j]), j};
-        });
-        m_sizes[i] = static_cast<std::uint32_t>(rest - first);
-        m_radii[i] = std::sqrt(farthest.squared_distance);
-      }
-    };
-    loops.for_each_chunk(sizes.size(), shrink_chunk);
+    change(
+        [&](std::size_t begin, std::size_t end, const auto& add) {
+          for (std::size_t i = begin; i < end; ++i)
+            add_nearest(points, i, sizes[i] == 0 ? size(i) : sizes[i], add);
+        },
+        loops);
+  }
+
+  /// Gives each point the neighbors that a search would find, and searches only where those at hand are too few.
+  template <typename ConcurrencyTag>
+  void adapt(const Neighbor_tree& tree, const Search_options& search, Loops<ConcurrencyTag>& loops)
+  {
+    change(
+        [&](std::size_t begin, std::size_t end, const auto& add) {
+          const auto is_enough = [&](std::size_t i) {
+            return search.k_of(i) <= size(i) || size(i) + 1 == m_places.size();
+          };
+          Group_search find(tree, search);
+          while (begin < end) {
+            std::size_t next = begin;
+            for (; next < end && is_enough(next) == is_enough(begin); ++next)
+              if (is_enough(next))
+                add_nearest(tree.points(), next, search.k_of(next), add);
+            if (!is_enough(begin))
+              find_neighbors(find, Site(0), begin, next, add);
+            begin = next;
+          }
+        },
+        loops);
+  }
+
+private:
+  typedef boost::counting_iterator<std::size_t> Site;
+
+  /// Fills all chunks anew, from what they hold.
+  template <typename Fill_chunk, typename ConcurrencyTag>
+  void change(const Fill_chunk& fill_chunk, Loops<ConcurrencyTag>& loops)
+  {
+    loops.for_each_chunk(m_places.size(), [&](std::size_t begin, std::size_t end) {
+      Neighbor_chunk chunk;
+      fill_chunk(begin, end,
+                 [&](std::size_t i, std::size_t site, std::size_t size, const auto& number,
+                     double radius) {
+                   m_places[i] = chunk.add(site, size, number);
+                   m_radii[i] = radius;
+                 });
+      chunk.fit();
+      m_chunks[begin / chunk_size] = std::move(chunk);
+    });
+  }
+
+  template <typename Iterator, typename Add>
+  static void find_neighbors(Group_search& find, Iterator sites, std::size_t begin, std::size_t end,
+                             const Add& add)
+  {
+    std::size_t i = begin;
+    find(sites + std::ptrdiff_t(begin), sites + std::ptrdiff_t(end),
+         [&](const std::vector<Neighbor>& found) {
+           add(
+               i, std::size_t(sites[std::ptrdiff_t(i)]), found.size(),
+               [&](std::size_t j) { return found[j].index; },
+               found.empty() ? 0. : std::sqrt(found.back().squared_distance));
+           ++i;
+         });
+  }
+
+  template <typename Add>
+  void add_nearest(const Array<Point_3>& points, std::size_t i, std::size_t most,
+                   const Add& add) const
+  {
+    const Neighbor_numbers all = neighbors(i);
+    const std::size_t count = (std::min)(most, all.size());
+    const double radius = count == all.size() || count == 0
+                              ? m_radii[i]
+                              : std::sqrt(squared_distance(points[i], points[all[count - 1]]));
+    add(
+        i, i, count, [&](std::size_t j) { return all[j]; }, radius);
   }
 };
 

@@ -4,30 +4,20 @@
 
 #include <CGAL/license/Point_set_flow.h>
 
+#include <CGAL/Point_set_flow/internal/neighbors/Neighbor.h>
 #include <CGAL/Point_set_flow/internal/neighbors/Neighbor_tree.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
 namespace Point_set_flow {
 namespace internal {
-
-/// A neighbor and how far it is
-struct Neighbor {
-  double squared_distance;
-  std::uint32_t index;
-  bool operator<(const Neighbor& other) const // equal distances: the order of the points decides
-  {
-    return squared_distance < other.squared_distance ||
-           (squared_distance == other.squared_distance && index < other.index);
-  }
-};
 
 /// One thread's search for the `k` nearest neighbors of single query points. It keeps its result in one
 /// sorted buffer and starts from what the query before it found, which makes it several times faster
@@ -41,7 +31,7 @@ class Neighbor_query {
   static constexpr std::size_t nowhere = std::size_t(-1);
   std::size_t m_center = 0; // is not its own neighbor
   Point_3 m_before = Point_3(0., 0., 0.);
-  std::array<double, 3> m_query = {{0., 0., 0.}};
+  Box_3 m_query = Box_3(Point_3(0., 0., 0.));
   std::vector<Neighbor> m_found;
 
 public:
@@ -84,40 +74,41 @@ private:
     }
     m_found.clear();
     m_before = p;
-    m_query = {{p.x(), p.y(), p.z()}};
-    visit(m_tree.root(), {{0., 0., 0.}});
+    m_query = Box_3(p);
+    if (!m_tree.nodes().empty())
+      visit(0);
     return m_found;
   }
 
-  /// \param offset the distance from the query to the box of the node in each coordinate
-  void visit(Neighbor_tree::Node node, const std::array<double, 3>& offset)
+  double squared_distance_of(std::size_t node) const
   {
-    if (node->is_leaf()) {
-      const auto leaf = static_cast<Neighbor_tree::Leaf>(node);
-      for (auto it = leaf->begin(); it != leaf->end(); ++it)
-        offer(*it);
+    return m_tree.nodes()[node].box.squared_distance(m_query);
+  }
+
+  /// Visits what is in a node, nearest first.
+  void visit(std::size_t n)
+  {
+    if (m_tree.is_leaf(n)) {
+      for (std::size_t i = m_tree.nodes()[n].begin; i < m_tree.nodes()[n].end; ++i)
+        offer(i);
       return;
     }
-    const auto inner = static_cast<Neighbor_tree::Internal>(node);
-    const std::size_t d = std::size_t(inner->cutting_dimension());
-    const double below = m_query[d] - inner->lower_high_value();
-    const double above = inner->upper_low_value() - m_query[d];
-    const bool lower_first = above >= below;
-    visit(lower_first ? inner->lower() : inner->upper(), offset);
-
-    std::array<double, 3> far = offset;
-    far[d] = (std::max)(far[d], lower_first ? above : below);
-    // the sum in the order of squared_distance(): rounding can not make a box farther than the
-    // points in it
-    if (far[0] * far[0] + far[1] * far[1] + far[2] * far[2] <= m_bound)
-      visit(lower_first ? inner->upper() : inner->lower(), far);
+    std::size_t near = n + 1, far = m_tree.nodes()[near].next;
+    double to_near = squared_distance_of(near), to_far = squared_distance_of(far);
+    if (to_far < to_near) {
+      std::swap(near, far);
+      std::swap(to_near, to_far);
+    }
+    if (to_near <= m_bound)
+      visit(near);
+    if (to_far <= m_bound)
+      visit(far);
   }
 
   void offer(std::size_t i)
   {
-    const Point_3& p = m_tree.points()[i];
-    const double x = m_query[0] - p.x(), y = m_query[1] - p.y(), z = m_query[2] - p.z();
-    const Neighbor candidate = {x * x + y * y + z * z, static_cast<std::uint32_t>(i)};
+    const Neighbor candidate = {squared_distance(m_before, m_tree.points()[i]),
+                                static_cast<std::uint32_t>(i)};
     if (!(candidate.squared_distance <= m_bound) || i == m_center)
       return;
     if (m_found.size() == m_k && m_k != 0) {

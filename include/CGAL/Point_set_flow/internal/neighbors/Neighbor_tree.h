@@ -5,159 +5,136 @@
 #include <CGAL/license/Point_set_flow.h>
 
 #include <CGAL/Point_set_flow/Core_kernel.h>
+#include <CGAL/Point_set_flow/internal/order/Morton_curve.h>
 #include <CGAL/Point_set_flow/internal/parallel/Array.h>
-#include <CGAL/Point_set_flow/internal/parallel/Loops.h>
-#include <CGAL/Kd_tree.h>
-#include <CGAL/Search_traits_3.h>
-#include <CGAL/Search_traits_adapter.h>
-#include <CGAL/Splitters.h>
-#include <CGAL/property_map.h>
-
-#include <boost/iterator/counting_iterator.hpp>
+#include <CGAL/Point_set_flow/internal/parallel/Progress.h>
 
 #include <algorithm>
 #include <array>
-#include <atomic>
 #include <cstddef>
-#include <exception>
-#include <limits>
-#include <thread>
+#include <cstdint>
+#include <vector>
 
 namespace CGAL {
 namespace Point_set_flow {
 namespace internal {
 
-/// CGAL's kd-tree over an array of points. `Neighbor_query` and `Group_search` search it.
+/// An axis-parallel box
+struct Box_3 {
+  std::array<double, 3> low, high;
+
+  explicit Box_3(const Point_3& p) : low{{p.x(), p.y(), p.z()}}, high(low) {}
+
+  void add(const Box_3& other)
+  {
+    for (std::size_t d = 0; d < 3; ++d) {
+      low[d] = (std::min)(low[d], other.low[d]);
+      high[d] = (std::max)(high[d], other.high[d]);
+    }
+  }
+
+  /// The squared distance of two boxes. Rounding can not make it larger than that of points in them, since the
+  /// sum is taken in the order of `squared_distance()`.
+  double squared_distance(const Box_3& other) const
+  {
+    const auto gap = [&](std::size_t d) {
+      const double below = low[d] - other.high[d], above = other.low[d] - high[d];
+      const double between = below > above ? below : above; // without branches
+      return between > 0. ? between : 0.;
+    };
+    const double x = gap(0), y = gap(1), z = gap(2);
+    return x * x + y * y + z * z;
+  }
+};
+
+/// A tree of boxes over points in spatial order. Its nodes are cells of the Morton curve: the points in each
+/// follow each other, so that there is nothing to sort, and searches come across points in their order.
+/// `Neighbor_query` and `Group_search` search it.
 class Neighbor_tree {
-  typedef Pointer_property_map<Point_3>::const_type Point_map;
-  typedef Search_traits_adapter<std::size_t, Point_map, Search_traits_3<Core_kernel>> Traits;
-
-  /// What a callback said while \cgal built the tree. It must not throw there: the tree would lose
-  /// the memory of its bounding box.
-  struct Building {
-    Progress& progress;
-    const Array<Point_3>& points;
-    const std::thread::id caller = std::this_thread::get_id();
-    std::exception_ptr error = nullptr;
-    std::atomic<bool> stopped{false};
-
-    void ask()
-    {
-      if (stopped)
-        return;
-      try {
-        progress.ask();
-      }
-      catch (...) {
-        error = std::current_exception();
-        stopped = true;
-      }
-    }
-  };
-
-  /// \cgal builds the tree in one go; but it calls this for each node, which asks the callback. If
-  /// that says no, all nodes that are not split yet become leaves.
-  ///
-  /// \cgal's splitters take a single point off where most share the least coordinate, say a plane with
-  /// one point far from it: that would be quadratic. Here the plane is taken off in one.
-  class Splitter : public Median_of_max_spread<Traits> {
-    typedef Median_of_max_spread<Traits> Base;
-    Building* m_building;
-
-  public:
-    explicit Splitter(Building* building) : Base(16), m_building(building) {}
-
-    unsigned int bucket_size() const
-    {
-      return m_building->stopped ? (std::numeric_limits<unsigned int>::max)() : Base::bucket_size();
-    }
-
-    template <typename Separator, typename Container>
-    void operator()(Separator& separator, Container& c0, Container& c1) const
-    {
-      const std::size_t worth_asking = 1 << 14;
-      if (c0.size() > worth_asking && std::this_thread::get_id() == m_building->caller)
-        m_building->ask();
-      const int d = c0.max_tight_span_coord();
-      const double least = c0.tight_bounding_box().min_coord(d);
-      double cut = c0.median(d); // what is less goes to one side
-      if (!(cut > least)) {
-        cut = c0.tight_bounding_box().max_coord(d);
-        for (const std::size_t* i : c0) {
-          const double c = m_building->points[*i][d];
-          if (c > least)
-            cut = (std::min)(cut, c);
-        }
-      }
-      separator = Separator(d, cut);
-      c0.split(c1, separator, true);
-    }
-  };
-  typedef Kd_tree<Traits, Splitter, Tag_true> Tree;
+  static constexpr std::size_t leaf_size = 16;
 
 public:
-  typedef Tree::Node_const_handle Node;
-  typedef Tree::Leaf_node_const_handle Leaf;
-  typedef Tree::Internal_node_const_handle Internal;
+  /// Points that follow each other, and what comes after them
+  struct Node {
+    Box_3 box;
+    std::uint32_t begin, end;
+    std::uint32_t next; ///< the node after all nodes that are part of this one
+  };
 
 private:
   const Array<Point_3>& m_points;
-  Building m_building;
-  Tree m_tree;
-
-  /// \param offset the distance from the box to that of the node in each coordinate
-  template <typename Visit>
-  static bool visit_leaves(Node node, const std::array<double, 3>& low,
-                           const std::array<double, 3>& high, const std::array<double, 3>& offset,
-                           double squared_distance, const Visit& visit)
-  {
-    if (node->is_leaf()) {
-      const Leaf leaf = static_cast<Leaf>(node);
-      return visit(&*leaf->begin(), &*leaf->begin() + leaf->size());
-    }
-    const Internal inner = static_cast<Internal>(node);
-    const std::size_t d = std::size_t(inner->cutting_dimension());
-    const auto visit_child = [&](Node child, double beyond) {
-      std::array<double, 3> far = offset;
-      far[d] = (std::max)(far[d], beyond);
-      // rounding must not make a box farther than the points in it: in the order of the distances
-      return !(far[0] * far[0] + far[1] * far[1] + far[2] * far[2] <= squared_distance) ||
-             visit_leaves(child, low, high, far, squared_distance, visit);
-    };
-    return visit_child(inner->lower(), low[d] - inner->lower_high_value()) &&
-           visit_child(inner->upper(), inner->upper_low_value() - high[d]);
-  }
+  std::vector<Node>
+      m_nodes; // each before the nodes that are part of it, and these in the order of the points
 
 public:
-  template <typename ConcurrencyTag>
-  Neighbor_tree(const Array<Point_3>& points, Loops<ConcurrencyTag>& loops)
-      : m_points(points), m_building{loops, points},
-        m_tree(boost::counting_iterator<std::size_t>(0),
-               boost::counting_iterator<std::size_t>(points.size()), Splitter(&m_building),
-               Traits(Point_map(points.data())))
+  /// \param points in the order of the curve, or searching is slow
+  Neighbor_tree(const Array<Point_3>& points, const Progress& progress) : m_points(points)
   {
+    m_nodes.reserve(points.size() / 5);
     if (!points.empty())
-      m_tree.build<ConcurrencyTag>();
-    if (m_building.error)
-      std::rethrow_exception(m_building.error);
+      add_node(0, points.size(), progress);
   }
 
   Neighbor_tree(const Neighbor_tree&) = delete;
   Neighbor_tree& operator=(const Neighbor_tree&) = delete;
 
   const Array<Point_3>& points() const { return m_points; }
-  /// \pre there are points
-  Node root() const { return m_tree.root(); }
+  /// The first one is the root.
+  const std::vector<Node>& nodes() const { return m_nodes; }
+  bool is_leaf(std::size_t node) const { return m_nodes[node].next == node + 1; }
 
-  /// Calls `visit(begin, end)` for the indices in each leaf that may have points within a distance of
-  /// a box, always in the same order, until it returns `false`.
+  /// Calls `visit(begin, end)` for each leaf that may have points within a distance of a box, in the order
+  /// of the points, until it returns `false`.
   /// \return whether it never did
   template <typename Visit>
-  bool visit_leaves(const std::array<double, 3>& low, const std::array<double, 3>& high,
-                    double squared_distance, const Visit& visit) const
+  bool visit_leaves(const Box_3& center, double squared_distance, const Visit& visit) const
   {
-    return m_points.empty() ||
-           visit_leaves(root(), low, high, {{0., 0., 0.}}, squared_distance, visit);
+    for (std::size_t n = 0; n < m_nodes.size();) {
+      const Node& node = m_nodes[n];
+      if (!(node.box.squared_distance(center) <= squared_distance)) {
+        n = node.next;
+        continue;
+      }
+      if (is_leaf(n) && !visit(std::size_t(node.begin), std::size_t(node.end)))
+        return false;
+      ++n;
+    }
+    return true;
+  }
+
+private:
+  void add_node(std::size_t begin, std::size_t end, const Progress& progress)
+  {
+    const std::size_t n = m_nodes.size(), worth_asking = 1 << 14;
+    m_nodes.push_back({Box_3(m_points[begin]), static_cast<std::uint32_t>(begin),
+                       static_cast<std::uint32_t>(end), 0});
+    if (end - begin <= leaf_size)
+      for (std::size_t i = begin + 1; i < end; ++i)
+        m_nodes[n].box.add(Box_3(m_points[i]));
+    else {
+      if (end - begin > worth_asking)
+        progress.ask();
+      const std::size_t middle = split(begin, end);
+      add_node(begin, middle, progress);
+      const std::size_t upper = m_nodes.size();
+      add_node(middle, end, progress);
+      m_nodes[n].box = m_nodes[n + 1].box;
+      m_nodes[n].box.add(m_nodes[upper].box);
+    }
+    m_nodes[n].next = static_cast<std::uint32_t>(m_nodes.size());
+  }
+
+  /// Where the points of a cell cross from one half of it to the other
+  std::size_t split(std::size_t begin, std::size_t end) const
+  {
+    const Point_3& first = m_points[begin];
+    const int whole = morton_difference(first, m_points[end - 1]);
+    if (whole < 0) // all in one place
+      return begin + (end - begin) / 2;
+    const auto crossing = std::partition_point(
+        m_points.begin() + std::ptrdiff_t(begin + 1), m_points.begin() + std::ptrdiff_t(end - 1),
+        [&](const Point_3& p) { return morton_difference(first, p) < whole; });
+    return std::size_t(crossing - m_points.begin());
   }
 };
 

@@ -42,7 +42,7 @@ struct Local_parameters {
 
 /// What is known of a surface besides its points, at one time of the flow.
 struct Surface_state {
-  Array<Vector_3> normals;      ///< empty before the first tangent planes
+  Array<Compact_tangent_plane_3> planes; ///< empty before the first ones
   Array<double> noise;          ///< the standard deviation around each point; empty if not needed
   Array<std::uint32_t> part_of; ///< for each point, the part that it belongs to
   const std::vector<Local_parameters>& parts;
@@ -61,12 +61,18 @@ struct Surface_state {
     return !sides.empty() && sides[i] * normal < 0. ? -normal : normal;
   }
 
+  /// \pre the tangent planes are known
+  Tangent_plane_3 plane(std::size_t i) const
+  {
+    return {planes[i].normal(), double(planes[i].variation)};
+  }
+
   const Local_parameters& parameters(std::size_t i) const { return parts[part_of[i]]; }
 
   Surface_estimate_3 at(std::size_t i) const
   {
     Surface_estimate_3 surface;
-    surface.normals = normals.empty() ? nullptr : normals.data();
+    surface.planes = planes.empty() ? nullptr : planes.data();
     surface.noise = noise.empty() ? 0. : noise[i];
     surface.spacing = parameters(i).spacing;
     surface.time = time;

@@ -9,7 +9,11 @@
 #include <CGAL/Point_set_flow/internal/order/Point_buffer.h>
 #include <CGAL/Point_set_flow/internal/parallel/stage_costs.h>
 
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
 #include <optional>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -22,22 +26,28 @@ class Analyzed_points {
   Point_buffer m_buffer;
   Clearance m_clearance;
   std::optional<Neighbor_tree> m_tree;
+  Neighbor_graph m_graph;
   std::optional<Scale_map> m_scale_map;
   Array<std::uint32_t> m_part_of;
 
 public:
   /// \param input is freed as soon as it is copied in order
+  /// \param likely_size of the neighborhoods of all points that will be needed later; 0 if none will
   template <typename ConcurrencyTag>
-  Analyzed_points(Input_points&& input, Loops<ConcurrencyTag>& loops)
+  Analyzed_points(Input_points&& input, std::size_t likely_size, Loops<ConcurrencyTag>& loops)
       : m_buffer(in_order(input, loops)),
         m_clearance(input.clearance, m_buffer.site_of, m_buffer.size())
   {
     input = Input_points(); // memory
     loops.begin_stage(stage_costs::tree);
     m_tree.emplace(m_buffer.reference, loops);
+    loops.begin_stage(stage_costs::graph);
+    m_graph = Neighbor_graph(*m_tree, {(std::max)(likely_size, choice_size)}, loops);
     loops.begin_stage(stage_costs::scale, Scale_map::number_of_loops + 1);
-    m_scale_map.emplace(*m_tree, m_buffer.sides, m_buffer.scans, m_clearance, loops);
+    m_scale_map.emplace(*m_tree, m_graph, m_buffer.sides, m_buffer.scans, m_clearance, loops);
     m_buffer.scans = Array<std::uint32_t>(); // memory
+    if (likely_size == 0)
+      m_graph = Neighbor_graph(); // memory
     m_part_of = m_scale_map->nearest_samples(m_buffer.reference, loops);
   }
 
@@ -49,6 +59,8 @@ public:
   const Clearance& clearance() const { return m_clearance; }
   /// \pre `forget_points()` was not called
   const Neighbor_tree& tree() const { return *m_tree; }
+  /// The nearest neighbors of all points, as many as seemed likely to be needed
+  Neighbor_graph& graph() { return m_graph; }
   /// \pre `forget_points()` was not called
   const Scale_map& scale_map() const { return *m_scale_map; }
   /// for each point, the nearest sample of the scale map: the points around a sample make a part
@@ -59,6 +71,7 @@ public:
   void forget_points()
   {
     m_tree.reset();
+    m_graph = Neighbor_graph();
     m_scale_map.reset();
     m_buffer.reference = Array<Point_3>();
     m_buffer.start = Array<Point_3>();

@@ -9,7 +9,6 @@
 #include <CGAL/Point_set_flow/internal/neighbors/Neighbor_tree.h>
 
 #include <algorithm>
-#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -38,31 +37,30 @@ public:
   bool is_certain(const Point_3& center, double radius) const
   {
     const double rounding = 1e-12, squared_radius = radius * radius * (1. + rounding);
-    const std::array<double, 3> p = {{center.x(), center.y(), center.z()}};
-    return !m_tree || m_tree->visit_leaves(p, p, squared_radius,
-                                           [&](const std::size_t* begin, const std::size_t* end) {
-                                             return std::none_of(begin, end, [&](std::size_t i) {
-                                               return squared_distance(center, m_doubtful[i]) <=
-                                                      squared_radius;
-                                             });
-                                           });
+    return !m_tree || m_tree->visit_leaves(
+                          Box_3(center), squared_radius, [&](std::size_t begin, std::size_t end) {
+                            for (std::size_t i = begin; i < end; ++i)
+                              if (squared_distance(center, m_doubtful[i]) <= squared_radius)
+                                return false;
+                            return true;
+                          });
   }
 
   /// Finds the points that may be samples or not: that depends on three rings of neighbors.
-  /// \param graph of the `k` nearest neighbors
+  /// \param radii the distance of the farthest of the `k` nearest neighbors of each point
   template <typename ConcurrencyTag>
-  void check_choice(const Array<Point_3>& points, const Neighbor_graph& graph, std::size_t k,
-                    Loops<ConcurrencyTag>& loops)
+  void check_choice(const Array<Point_3>& points, const Neighbor_graph& graph,
+                    const Array<double>& radii, std::size_t k, Loops<ConcurrencyTag>& loops)
   {
     if (m_clearance.is_whole())
       return;
     Array<char> certain(points.size());
     loops.for_each_chunk(points.size(), [&](std::size_t begin, std::size_t end) {
       for (std::size_t i = begin; i < end; ++i)
-        certain[i] = m_clearance.holds(i, searched_radius(graph.size(i), k, graph.radius(i)));
+        certain[i] = m_clearance.holds(i, searched_radius(graph.size(i), k, radii[i]));
     });
     for (int ring = 1; ring < 3; ++ring)
-      leave_out_neighbors_of_doubtful(graph, certain, loops);
+      leave_out_neighbors_of_doubtful(graph, k, certain, loops);
     for (std::size_t i = 0; i < points.size(); ++i)
       if (!certain[i])
         m_doubtful.push_back(points[i]);
@@ -93,7 +91,7 @@ public:
       }
     });
     for (int pooling = 0; pooling < poolings; ++pooling) {
-      leave_out_neighbors_of_doubtful(near, m_samples, loops);
+      leave_out_neighbors_of_doubtful(near, k, m_samples, loops);
       for (std::size_t i = 0; i < sites.size(); ++i)
         m_samples[i] = m_samples[i] && pools[i];
     }
@@ -101,15 +99,16 @@ public:
 
 private:
   template <typename ConcurrencyTag>
-  static void leave_out_neighbors_of_doubtful(const Neighbor_graph& graph, Array<char>& certain,
-                                              Loops<ConcurrencyTag>& loops)
+  static void leave_out_neighbors_of_doubtful(const Neighbor_graph& graph, std::size_t k,
+                                              Array<char>& certain, Loops<ConcurrencyTag>& loops)
   {
     Array<char> left(certain.size());
     loops.for_each_chunk(certain.size(), [&](std::size_t begin, std::size_t end) {
       for (std::size_t i = begin; i < end; ++i) {
+        const Neighbor_numbers near = graph.neighbors(i).nearest(k);
         left[i] = certain[i];
-        for (std::size_t j = 0; left[i] && j < graph.size(i); ++j)
-          left[i] = certain[graph.neighbors(i)[j]];
+        for (std::size_t j = 0; left[i] && j < near.size(); ++j)
+          left[i] = certain[near[j]];
       }
     });
     certain.swap(left);

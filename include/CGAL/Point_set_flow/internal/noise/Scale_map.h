@@ -7,6 +7,7 @@
 #include <CGAL/Point_set_flow/internal/fitting/median.h>
 #include <CGAL/Point_set_flow/internal/neighbors/Group_search.h>
 #include <CGAL/Point_set_flow/internal/neighbors/Neighbor_graph.h>
+#include <CGAL/Point_set_flow/internal/neighbors/nearest_points.h>
 #include <CGAL/Point_set_flow/internal/noise/Layer_evidence.h>
 #include <CGAL/Point_set_flow/internal/noise/Residual_pool.h>
 #include <CGAL/Point_set_flow/internal/noise/choose_samples.h>
@@ -30,13 +31,13 @@ class Scale_map {
   std::vector<Local_scale> m_scales;
 
 public:
-  static constexpr int number_of_loops = 9;
+  static constexpr int number_of_loops = 8;
 
   template <typename ConcurrencyTag>
-  Scale_map(const Neighbor_tree& tree, const Array<Vector_3>& sides,
+  Scale_map(const Neighbor_tree& tree, const Neighbor_graph& graph, const Array<Vector_3>& sides,
             const Array<std::uint32_t>& scans, const Clearance& clearance,
             Loops<ConcurrencyTag>& loops)
-      : m_certainty(clearance), m_sites(choose_samples(tree, m_certainty, loops)),
+      : m_certainty(clearance), m_sites(choose_samples(tree.points(), graph, m_certainty, loops)),
         m_points(points_at(tree.points(), m_sites)), m_tree(m_points, loops),
         m_scales(m_sites.size())
   {
@@ -53,16 +54,16 @@ public:
       std::vector<Neighbor> neighborhood;
       Group_search(tree, nearest)(
           m_sites.begin() + std::ptrdiff_t(begin), m_sites.begin() + std::ptrdiff_t(end),
-          [&](const std::vector<std::uint32_t>& found, double farthest) {
+          [&](const std::vector<Neighbor>& found) {
             const std::uint32_t site = m_sites[i];
             const bool is_sided = evidence.layers(i).side_trust == Side_trust::TWO_SHEETS;
-            measured[i] = searched_radius(found.size(), nearest.k, farthest);
+            measured[i] =
+                searched_radius(found.size(), nearest.k,
+                                found.empty() ? 0. : std::sqrt(found.back().squared_distance));
             neighborhood.assign(1, {0., site});
-            for (const std::uint32_t j : found)
-              if (!is_sided || sides[j] * sides[site] >= 0.)
-                neighborhood.push_back(
-                    {squared_distance(tree.points()[site], tree.points()[j]), j});
-            std::sort(neighborhood.begin() + 1, neighborhood.end());
+            for (const Neighbor& neighbor : found)
+              if (!is_sided || sides[neighbor.index] * sides[site] >= 0.)
+                neighborhood.push_back(neighbor);
             residuals[i++].measure(tree.points(), neighborhood);
           });
     });
@@ -108,13 +109,7 @@ public:
   Array<std::uint32_t> nearest_samples(const Array<Point_3>& points,
                                        Loops<ConcurrencyTag>& loops) const
   {
-    Array<std::uint32_t> samples(points.size());
-    loops.for_each_chunk(points.size(), [&](std::size_t begin, std::size_t end) {
-      Neighbor_query nearest(m_tree, 1);
-      for (std::size_t i = begin; i < end; ++i)
-        samples[i] = nearest(points[i]).front().index;
-    });
-    return samples;
+    return nearest_points(m_tree, points, loops);
   }
 
 private:

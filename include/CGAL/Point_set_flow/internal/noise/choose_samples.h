@@ -16,25 +16,43 @@ namespace CGAL {
 namespace Point_set_flow {
 namespace internal {
 
+/// The number of neighbors by which samples are chosen
+constexpr std::size_t choice_size = 16;
+
+inline Neighbor_numbers nearest_for_choice(const Neighbor_graph& graph, std::size_t i)
+{
+  return graph.neighbors(i).nearest(choice_size);
+}
+
 /// About one point of 18: those whose neighborhood radius deviates less from the mean of their
 /// neighbors' than that of each neighbor does. Which these are depends on the points around only, and
 /// not on how the data are translated, rotated, scaled or numbered; and they favor neither dense nor
 /// sparse places.
+/// \param graph of all points, with at least 16 neighbors each
 /// \param certainty learns which choices are doubtful
 template <typename ConcurrencyTag>
-std::vector<std::uint32_t> choose_samples(const Neighbor_tree& tree, Certainty& certainty,
-                                          Loops<ConcurrencyTag>& loops)
+std::vector<std::uint32_t> choose_samples(const Array<Point_3>& points, const Neighbor_graph& graph,
+                                          Certainty& certainty, Loops<ConcurrencyTag>& loops)
 {
-  const std::size_t n = tree.points().size(), few = 16;
-  const Neighbor_graph graph(tree, {few, 0., {}}, loops);
-  certainty.check_choice(tree.points(), graph, few, loops);
-  Array<double> deviation(n);
+  const std::size_t n = points.size();
+  Array<double> radius(n), deviation(n);
+  const auto find_radii = [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) {
+      const Neighbor_numbers near = nearest_for_choice(graph, i);
+      radius[i] = near.size() == 0
+                      ? 0.
+                      : std::sqrt(squared_distance(points[i], points[near[near.size() - 1]]));
+    }
+  };
+  loops.for_each_chunk(n, find_radii);
+  certainty.check_choice(points, graph, radius, choice_size, loops);
   const auto find_deviations = [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
+      const Neighbor_numbers near = nearest_for_choice(graph, i);
       double sum = 0.;
-      for (std::size_t j = 0; j < graph.size(i); ++j)
-        sum += graph.radius(graph.neighbors(i)[j]);
-      deviation[i] = std::abs(sum - double(graph.size(i)) * graph.radius(i));
+      for (std::size_t j = 0; j < near.size(); ++j)
+        sum += radius[near[j]];
+      deviation[i] = std::abs(sum - double(near.size()) * radius[i]);
     }
   };
   loops.for_each_chunk(n, find_deviations);
@@ -43,8 +61,9 @@ std::vector<std::uint32_t> choose_samples(const Neighbor_tree& tree, Certainty& 
   const auto choose = [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
       chosen[i] = 1;
-      for (std::size_t j = 0; chosen[i] && j < graph.size(i); ++j) {
-        const std::size_t other = graph.neighbors(i)[j];
+      const Neighbor_numbers near = nearest_for_choice(graph, i);
+      for (std::size_t j = 0; chosen[i] && j < near.size(); ++j) {
+        const std::size_t other = near[j];
         chosen[i] =
             deviation[i] < deviation[other] || (deviation[i] == deviation[other] && i < other);
       }

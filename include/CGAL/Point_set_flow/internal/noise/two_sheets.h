@@ -33,12 +33,13 @@ void pool(const Neighbor_graph& graph, Array<Distance_moments>& moments,
   Array<Distance_moments> pooled(moments.size());
   const auto average = [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
-      const std::size_t size = graph.size(i), stride = (size + most - 1) / most;
+      const Neighbor_numbers near = graph.neighbors(i);
+      const std::size_t stride = (near.size() + most - 1) / most;
       Distance_moments sum = moments[i];
       double count = 1.;
-      for (std::size_t j = 0; j < size; j += stride) {
-        sum.second += moments[graph.neighbors(i)[j]].second;
-        sum.fourth += moments[graph.neighbors(i)[j]].fourth;
+      for (std::size_t j = 0; j < near.size(); j += stride) {
+        sum.second += moments[near[j]].second;
+        sum.fourth += moments[near[j]].fourth;
         count += 1.;
       }
       pooled[i].second = sum.second / count;
@@ -123,9 +124,11 @@ inline bool has_sided_neighbor(const Surface& surface, std::size_t i)
 {
   if (surface.state.sides.empty())
     return false;
-  const std::uint32_t* neighbors = surface.graph.neighbors(i);
-  return std::any_of(neighbors, neighbors + surface.graph.size(i),
-                     [&](std::uint32_t j) { return surface.state.is_sided(j); });
+  const Neighbor_numbers neighbors = surface.graph.neighbors(i);
+  for (std::size_t j = 0; j < neighbors.size(); ++j)
+    if (surface.state.is_sided(neighbors[j]))
+      return true;
+  return false;
 }
 
 /// The number of loops of `find_moments()` and `fit_sheets()`

@@ -53,19 +53,25 @@ struct Coordinate_bits {
   }
 };
 
+/// The most significant digit in which two points differ: the larger it is, the larger is the smallest cell of
+/// the curve that holds both. -1 if they are equal.
+inline int morton_difference(const Point_3& p, const Point_3& q)
+{
+  int most = -1;
+  for (int d = 0; d < 3; ++d)
+    if (p[d] != q[d]) {
+      const int digit =
+          Coordinate_bits::highest_difference(Coordinate_bits(p[d]), Coordinate_bits(q[d]));
+      most = (std::max)(most, 3 * digit + d);
+    }
+  return most;
+}
+
 /// Whether one of two points comes before the other on the curve; neither does if they are equal.
 inline bool is_before_on_morton_curve(const Point_3& p, const Point_3& q)
 {
-  int highest = -1, axis = 0;
-  for (int d = 0; d < 3; ++d) {
-    const int difference =
-        p[d] == q[d]
-            ? -1
-            : Coordinate_bits::highest_difference(Coordinate_bits(p[d]), Coordinate_bits(q[d]));
-    if (difference >= highest)
-      highest = difference, axis = d;
-  }
-  return p[axis] < q[axis];
+  const int difference = morton_difference(p, q);
+  return difference >= 0 && p[difference % 3] < q[difference % 3];
 }
 
 /// A grid in which the points of a box do not share one cell, with its cells in the order of the curve.
