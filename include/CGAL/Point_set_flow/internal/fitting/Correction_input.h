@@ -19,7 +19,7 @@ struct Correction_input : Network_input<2, 3, 2, 1> {
   double unit; ///< the rms residual around the point, a length
 
   /// \pre `neighborhood.has_residuals()`; there are neighbors
-  explicit Correction_input(const Neighborhood_3& neighborhood) : Network_input(neighborhood)
+  [[gnu::flatten]] explicit Correction_input(const Neighborhood_3& neighborhood) : Network_input(neighborhood)
   {
     const double radius = neighborhood.radius();
     for (int i = 0; i < size; ++i) {

@@ -83,7 +83,7 @@ public:
         m_even_bias(take(1))
   {}
 
-  Output operator()(const Input& x) const
+  [[gnu::flatten]] Output operator()(const Input& x) const
   {
     const Means means = over_edges(x);
     const Eigen::Matrix<float, head, 1> e = m_head_even * means.even + m_head_bias;

@@ -18,7 +18,7 @@ namespace internal {
 /// before found of the neighbors.
 struct Sheet_input : Network_input<3, 3, 4, 2> {
   /// \pre `neighborhood.has_sheets()`; there are neighbors
-  explicit Sheet_input(const Neighborhood_3& neighborhood) : Network_input(neighborhood)
+  [[gnu::flatten]] explicit Sheet_input(const Neighborhood_3& neighborhood) : Network_input(neighborhood)
   {
     for (int i = 0; i < size; ++i) {
       const Edge edge = read_edge(neighborhood, i);

@@ -46,7 +46,7 @@ struct Weighted_moments {
 /// The plane of Eq. (1), with weights by distance and, if the normals are known, by angle and by
 /// distance from the tangent plane of the point. The variation is what the noise does not explain of Eq. (2).
 template <bool has_normals>
-Tangent_plane_3 fit_tangent_plane(const Neighborhood_3& neighborhood)
+[[gnu::flatten]] Tangent_plane_3 fit_tangent_plane(const Neighborhood_3& neighborhood)
 {
   if (has_normals && !(neighborhood.noise() > 0.))
     return {neighborhood.normal(), 0.}; // nothing moves here, and the first plane will do

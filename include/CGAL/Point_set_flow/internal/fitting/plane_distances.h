@@ -42,7 +42,7 @@ struct Plane_distances {
 
 /// The weighted mean of the \f$d_j\f$, no longer than the noise allows.
 /// \pre the normals of the neighborhood are known
-inline double mean_plane_distance(const Neighborhood_3& neighborhood)
+[[gnu::flatten]] inline double mean_plane_distance(const Neighborhood_3& neighborhood)
 {
   if (neighborhood.size() < 2 || !(neighborhood.noise() > 0.))
     return 0.;
@@ -86,7 +86,7 @@ struct Distance_moments {
   /// The moments are in spacings, to keep fourth powers in the range of `double`.
   /// \param mean of the \f$d_j\f$, in spacings: the height of the point above its neighbors
   /// \pre the normals of the neighborhood are known, and the spacing is positive
-  Distance_moments(const Neighborhood_3& neighborhood, double& mean) : second(0.), fourth(0.)
+  [[gnu::flatten]] Distance_moments(const Neighborhood_3& neighborhood, double& mean) : second(0.), fourth(0.)
   {
     mean = 0.;
     if (neighborhood.size() < 2)
