@@ -5,7 +5,6 @@
 #include <CGAL/license/Point_set_flow.h>
 
 #include <CGAL/Point_set_flow/Smoothing_report.h>
-#include <CGAL/Point_set_flow/Tangent_plane_curvature.h>
 #include <CGAL/Point_set_flow/flows.h>
 #include <CGAL/Point_set_flow/internal/entrance/copy_in.h>
 #include <CGAL/Point_set_flow/internal/flow/Flow_plan.h>
@@ -25,7 +24,7 @@ Smoothing_report analyze_point_set(const PointRange& points, const std::optional
 {
   const Flow_parameters parameters = read_parameters(k, np, check);
   const auto flow = value_of(np, internal_np::flow_t(), Balanced_flow());
-  const auto curvature = value_of(np, internal_np::curvature_t(), Tangent_plane_curvature());
+  const auto curvature = value_of(np, internal_np::curvature_t(), Default_curvature());
   const Caller_maps<const PointRange, NamedParameters> maps(points, np, check);
   if (points.begin() == points.end())
     return Smoothing_report();

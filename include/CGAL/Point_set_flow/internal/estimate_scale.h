@@ -5,7 +5,6 @@
 #include <CGAL/license/Point_set_flow.h>
 
 #include <CGAL/Point_set_flow/Point_set_scale.h>
-#include <CGAL/Point_set_flow/Tangent_plane_curvature.h>
 #include <CGAL/Point_set_flow/internal/entrance/copy_in.h>
 #include <CGAL/Point_set_flow/internal/noise/Analyzed_points.h>
 
@@ -34,7 +33,7 @@ Point_set_scale estimate_scale(const PointRange& points, const NamedParameters& 
     scale.noise = noise * frame.unit;
     scale.spacing = spacing * frame.unit;
     scale.k =
-        Tangent_plane_curvature::defaults().neighborhood_size(spacing > 0. ? noise / spacing : 0.);
+        Default_curvature::defaults().neighborhood_size(spacing > 0. ? noise / spacing : 0.);
     return scale;
   });
 }

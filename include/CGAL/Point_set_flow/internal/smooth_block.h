@@ -98,7 +98,7 @@ Block_status smooth_block(PointRange& points, std::size_t block_size, const Coor
   const Argument_check check("CGAL::Point_set_flow::smooth_block");
   const Flow_parameters parameters = read_parameters(k, np, check);
   const auto flow = value_of(np, internal_np::flow_t(), Balanced_flow());
-  const auto curvature = value_of(np, internal_np::curvature_t(), Tangent_plane_curvature());
+  const auto curvature = value_of(np, internal_np::curvature_t(), Default_curvature());
   typedef Caller_maps<PointRange, NamedParameters> Maps;
   Maps maps(points, np, check);
   const std::size_t size = std::size_t(std::distance(points.begin(), points.end()));

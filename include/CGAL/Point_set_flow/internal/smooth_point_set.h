@@ -5,7 +5,6 @@
 #include <CGAL/license/Point_set_flow.h>
 
 #include <CGAL/Point_set_flow/Smoothing_report.h>
-#include <CGAL/Point_set_flow/Tangent_plane_curvature.h>
 #include <CGAL/Point_set_flow/flows.h>
 #include <CGAL/Point_set_flow/internal/entrance/copy_in.h>
 #include <CGAL/Point_set_flow/internal/entrance/named_parameters.h>
@@ -41,7 +40,7 @@ double smooth_point_set(PointRange& points, const std::optional<unsigned int>& k
   const Argument_check check("CGAL::balanced_flow_smooth_point_set");
   const Flow_parameters parameters = read_parameters(k, np, check);
   const auto flow = value_of(np, internal_np::flow_t(), Balanced_flow());
-  const auto curvature = value_of(np, internal_np::curvature_t(), Tangent_plane_curvature());
+  const auto curvature = value_of(np, internal_np::curvature_t(), Default_curvature());
   typedef Caller_maps<PointRange, NamedParameters> Maps;
   Maps maps(points, np, check);
   if (points.begin() == points.end()) {

@@ -4,6 +4,7 @@
 
 #include <CGAL/license/Point_set_flow.h>
 
+#include <CGAL/Point_set_flow/Learned_curvature.h>
 #include <CGAL/Point_set_flow/Smoothing_report.h>
 #include <CGAL/Point_set_flow/internal/entrance/Argument_check.h>
 #include <CGAL/Point_set_flow/internal/flow/Flow_parameters.h>
@@ -21,6 +22,9 @@
 namespace CGAL {
 namespace Point_set_flow {
 namespace internal {
+
+/// The estimator, if the caller chooses none
+typedef Learned_curvature Default_curvature;
 
 template <typename T, typename Tag, typename Base>
 std::true_type test_named_parameters(const Named_function_parameters<T, Tag, Base>*);
