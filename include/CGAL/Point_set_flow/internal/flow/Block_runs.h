@@ -58,6 +58,9 @@ double total_cost(const Flow_parameters& parameters, const Flow& flow, const Cur
   return costs::analysis + costs::graph +
          (uses_surface_estimate ? costs::sheets + costs::shrink : 0.) +
          steps * (planes + costs::step) +
+         (parameters.number_of_relaxation_steps == 0
+              ? 0.
+              : costs::planes + parameters.number_of_relaxation_steps * costs::relaxation) +
          (int(wanted.normals) + int(wanted.feature_strength)) * costs::planes;
 }
 

@@ -33,7 +33,7 @@ public:
   const bool is_prefiltered;
   const bool is_k_given, is_noise_given;
   const Curvature_defaults defaults;
-  const unsigned int number_of_iterations, update_period;
+  const unsigned int number_of_iterations, update_period, number_of_relaxation_steps;
   const double step_length;
   const std::size_t number_of_points, number_of_distinct_points;
   const double unit; ///< the length of 1 in the core, in the unit of the data
@@ -53,6 +53,7 @@ public:
         number_of_iterations(
             parameters.number_of_iterations.value_or(defaults.number_of_iterations)),
         update_period(parameters.update_period),
+        number_of_relaxation_steps(parameters.number_of_relaxation_steps),
         step_length(parameters.step_length.value_or(defaults.step_length)),
         number_of_points(points.buffer().site_of.size()),
         number_of_distinct_points(points.buffer().size()), unit(unit_),
@@ -81,8 +82,10 @@ public:
   std::size_t number_of_rings() const
   {
     const std::size_t steps = number_of_iterations, outputs = 1;
-    return uses_surface_estimate ? 2 * steps + 4 + outputs
-                                 : (is_prefiltered ? 2 : 1) * steps + outputs;
+    const std::size_t relaxation =
+        number_of_relaxation_steps == 0 ? 0 : 1 + std::size_t(number_of_relaxation_steps);
+    return (uses_surface_estimate ? 2 * steps + 4 : (is_prefiltered ? 2 : 1) * steps) + relaxation +
+           outputs;
   }
 
   /// What is known before the flow runs

@@ -8,6 +8,7 @@
 #include <CGAL/Point_set_flow/flows.h>
 #include <CGAL/Point_set_flow/internal/flow/Flow_plan.h>
 #include <CGAL/Point_set_flow/internal/flow/prefilter.h>
+#include <CGAL/Point_set_flow/internal/flow/Relaxation.h>
 #include <CGAL/Point_set_flow/internal/flow/sides.h>
 #include <CGAL/Point_set_flow/internal/flow/tangent_planes.h>
 #include <CGAL/Point_set_flow/internal/neighbors/Block_cutter.h>
@@ -24,7 +25,7 @@ namespace CGAL {
 namespace Point_set_flow {
 namespace internal {
 
-/// The flow on one block (Table 1), from the reference to the result.
+/// The flow on one block (Table 1), from the reference to the result, and the relaxation after it.
 template <typename ConcurrencyTag, typename Flow, typename Curvature>
 class Flow_run {
   static constexpr bool uses_surface_estimate = Uses_surface_estimate<Curvature>::value;
@@ -39,6 +40,8 @@ class Flow_run {
   // of the tangent planes of the current surface if the estimator knows the noise, else of the
   // prefiltered surface
   Array<double> m_variation;
+  Array<Point_3>
+      m_flowed; // where the flow left the points; empty unless they were moved along the surface
 
 public:
   Flow_run(const Flow_plan& plan, Block& block, const Flow& flow, const Curvature& curvature,
@@ -90,18 +93,21 @@ public:
       step(); // also if nothing moves: whether that is so depends on where blocks end
     }
     allocate_points(); // without iterations
+    if (m_plan.number_of_relaxation_steps != 0)
+      relax_points();
   }
 
-  /// How far a point of the block moved in the last step
+  /// How far a point of the block moved in the last step of the flow
   double moved(std::size_t i) const
   {
-    return m_before.empty() ? 0. : std::sqrt(squared_distance(m_block.points[i], m_before[i]));
+    const Array<Point_3>& flowed = m_flowed.empty() ? m_block.points : m_flowed;
+    return m_before.empty() ? 0. : std::sqrt(squared_distance(flowed[i], m_before[i]));
   }
 
   /// Why a point of the block did not move, if it did not
   Rest_reason rest_reason(std::size_t i) const
   {
-    if (!m_block.constrained.empty() && m_block.constrained[i])
+    if (is_constrained(i))
       return Rest_reason::CONSTRAINED;
     if (m_plan.number_of_iterations == 0 || m_plan.step_length == 0.)
       return Rest_reason::OTHER;
@@ -142,6 +148,16 @@ public:
   }
 
 private:
+  void relax_points()
+  {
+    Array<Vector_3> normals = find_normals();
+    m_state.normals.swap(normals);
+    m_flowed = m_block.points;
+    relax(
+        surface(m_flowed), m_plan.number_of_relaxation_steps,
+        [&](std::size_t i) { return may_move(i); }, m_block.points, m_loops);
+  }
+
   Surface surface(const Array<Point_3>& points, double narrowing = 1.) const
   {
     return {points, m_block.graph, m_state, narrowing};
@@ -180,6 +196,13 @@ private:
     }
   }
 
+  bool is_constrained(std::size_t i) const
+  {
+    return !m_block.constrained.empty() && m_block.constrained[i];
+  }
+
+  bool may_move(std::size_t i) const { return !is_constrained(i) && !is_isolated(i); }
+
   bool is_isolated(std::size_t i) const
   {
     // most neighborhoods are too small for that: a look at the neighbors' would cost more
@@ -197,8 +220,7 @@ private:
     m_loops.for_each_chunk(before.size(), [&](std::size_t begin, std::size_t end) {
       for (std::size_t i = begin; i < end; ++i) {
         m_block.points[i] = m_before[i];
-        const bool is_constrained = !m_block.constrained.empty() && m_block.constrained[i];
-        if (!is_constrained && !is_isolated(i))
+        if (may_move(i))
           m_block.points[i] = m_before[i] + motion(before, i) * (m_plan.step_length / m_plan.unit);
       }
     });

@@ -10,8 +10,8 @@ namespace internal {
 
 /// What the stages cost relative to each other, for the progress
 namespace stage_costs {
-constexpr double order = 2., tree = 2., scale = 2., graph = 6., prefilter = 1.,
-                 planes = 1., sheets = 2., shrink = .5, step = 1.;
+constexpr double order = 2., tree = 2., scale = 2., graph = 6., prefilter = 1., planes = 1.,
+                 sheets = 2., shrink = .5, step = 1., relaxation = 1.;
 constexpr double analysis = order + tree + scale;
 } // namespace stage_costs
 
