@@ -25,23 +25,17 @@ public:
     m_yy += w.y() * d.y(), m_yz += w.y() * d.z(), m_zz += w.z() * d.z();
   }
 
-  /// Shortens the part of a vector of the plane that is in the direction of the smaller moment, as far as
-  /// that is less than a share of the larger one.
-  Vector_3 without_thin_part(const Vector_3& v, double share) const
+  /// The smaller moment as a share of the larger one: 0 for vectors along a line, 1 for those of a disc, and
+  /// if there are none
+  double aspect() const
   {
-    // Of three eigenvalues the one across the plane is 0.
+    // of three eigenvalues, the one across the plane is 0
     const double half_trace = .5 * (m_xx + m_yy + m_zz);
     const double product =
         m_xx * m_yy - m_xy * m_xy + m_xx * m_zz - m_xz * m_xz + m_yy * m_zz - m_yz * m_yz;
     const double root = std::sqrt((std::max)(half_trace * half_trace - product, 0.));
-    const double larger = half_trace + root, smaller = (std::max)(half_trace - root, 0.);
-    if (!(smaller < share * larger))
-      return v;
-    const Vector_3 mv(m_xx * v.x() + m_xy * v.y() + m_xz * v.z(),
-                      m_xy * v.x() + m_yy * v.y() + m_yz * v.z(),
-                      m_xz * v.x() + m_yz * v.y() + m_zz * v.z());
-    const Vector_3 along = (mv - smaller * v) / (larger - smaller);
-    return along + (smaller / (share * larger)) * (v - along);
+    const double larger = half_trace + root;
+    return larger > 0. ? (std::max)(half_trace - root, 0.) / larger : 1.;
   }
 };
 

@@ -105,6 +105,7 @@ public:
     report.fewest_neighbors = (std::min)(sizes.first->size, others);
     report.most_neighbors = (std::min)(sizes.second->size, others);
     report.number_of_iterations = number_of_iterations;
+    report.number_of_relaxation_steps = number_of_relaxation_steps;
     report.filter_width = filter_width;
     return report;
   }

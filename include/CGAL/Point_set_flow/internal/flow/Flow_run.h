@@ -40,8 +40,7 @@ class Flow_run {
   // of the tangent planes of the current surface if the estimator knows the noise, else of the
   // prefiltered surface
   Array<double> m_variation;
-  Array<Point_3>
-      m_flowed; // where the flow left the points; empty unless they were moved along the surface
+  Array<Point_3> m_flowed; // where relaxation starts; empty without
 
 public:
   Flow_run(const Flow_plan& plan, Block& block, const Flow& flow, const Curvature& curvature,
@@ -107,7 +106,7 @@ public:
   /// Why a point of the block did not move, if it did not
   Rest_reason rest_reason(std::size_t i) const
   {
-    if (is_constrained(i))
+    if (m_block.is_constrained(i))
       return Rest_reason::CONSTRAINED;
     if (m_plan.number_of_iterations == 0 || m_plan.step_length == 0.)
       return Rest_reason::OTHER;
@@ -150,12 +149,14 @@ public:
 private:
   void relax_points()
   {
+    // without noise, the planes would be those of the first step, which are blunt at creases
+    for (std::size_t i = 0; i < m_state.noise.size(); ++i)
+      m_state.noise[i] = (std::max)(m_state.noise[i], .1 * m_state.parameters(i).spacing);
     Array<Vector_3> normals = find_normals();
     m_state.normals.swap(normals);
     m_flowed = m_block.points;
-    relax(
-        surface(m_flowed), m_plan.number_of_relaxation_steps,
-        [&](std::size_t i) { return may_move(i); }, m_block.points, m_loops);
+    const auto moves = [&](std::size_t i) { return may_move(i); };
+    relax(surface(m_flowed), m_plan.number_of_relaxation_steps, moves, m_block.points, m_loops);
   }
 
   Surface surface(const Array<Point_3>& points, double narrowing = 1.) const
@@ -196,12 +197,7 @@ private:
     }
   }
 
-  bool is_constrained(std::size_t i) const
-  {
-    return !m_block.constrained.empty() && m_block.constrained[i];
-  }
-
-  bool may_move(std::size_t i) const { return !is_constrained(i) && !is_isolated(i); }
+  bool may_move(std::size_t i) const { return !m_block.is_constrained(i) && !is_isolated(i); }
 
   bool is_isolated(std::size_t i) const
   {

@@ -26,20 +26,21 @@ namespace internal {
 ///
 /// In its tangent plane a point is repelled by neighbors that are nearer than usual; then it is projected
 /// back to the surface. Neighbors behind a crease or on another sheet do not count, so that a crease is a
-/// border to both of its sides. From a border no point is pushed outwards, and points in a line stay in it.
+/// border to both of its sides. From a border no point is pushed outwards, and points in a line stay.
 class Relaxation {
   // lengths in spacings
   static constexpr double reach = 1.35,  // of the repulsion
       strength = .4,                     // the step away from a single neighbor in the same place
       longest_step = .35, farthest = 1., // of one step, and of all together
-      border_radius = 3.,                // how far to look for a border
+      border_radius = 3., line_radius = 2., // how far to look for them
       projection_width = .6, sheet_width = .6;
   static constexpr double angle_width = .42; // radians between normals
-  // The distance from a point to the mean of the points around it, in the radius up to which they count. At
-  // a straight border it is .42; of random points it rarely exceeds the first one.
-  static constexpr double least_offset = .2, border_offset = .35;
-  static constexpr double line_share =
-      .25; // of the larger moment: if the smaller one is less, it is a line
+  // How far the mean of the points around is off, in the radius up to which they count: .34 at a straight
+  // border, .28 at that of a lattice, and .15 for one of seven points where they are random.
+  static constexpr double least_offset = .15, border_offset = .28;
+  // The aspect of the points around, the smaller of their second moments as a share of the larger one: up to the
+  // first one they are in a line
+  static constexpr double line_aspect = .05, surface_aspect = .2;
   // A point's own spacing, with a margin for its scatter, counts where it is less than that of the part:
   // beside a coarser region
   static constexpr double margin = 1.1;
@@ -87,6 +88,12 @@ private:
     return l > length ? v * (length / l) : v;
   }
 
+  /// 0 up to `from`, 1 from `to` on
+  static double ramp(double x, double from, double to)
+  {
+    return (std::min)((std::max)((x - from) / (to - from), 0.), 1.);
+  }
+
   /// The neighbors on the same sheet that are near enough to matter
   static Sheet find_sheet(const Neighborhood_3& neighborhood)
   {
@@ -119,6 +126,7 @@ private:
   {
     const Vector_3& normal = neighborhood.normal();
     const double radius = (std::min)(border_radius * spacing, neighborhood.radius());
+    const double near = (std::min)(line_radius * spacing, neighborhood.radius());
     boost::container::small_vector<Vector_3, 128> differences; // in the tangent plane
     Tangent_moments moments;
     Vector_3 offset = NULL_VECTOR;
@@ -126,12 +134,11 @@ private:
     for (const Sheet_neighbor& j : sheet) {
       const Vector_3 d = points[j.index] - points[i], tangential = d - (d * normal) * normal;
       differences.push_back(tangential);
-      const double weight = j.weight * (1. - tangential.squared_length() / (radius * radius));
-      if (!(weight > 0.))
-        continue;
+      const double squared_length = tangential.squared_length();
+      const double weight = j.weight * (std::max)(1. - squared_length / (radius * radius), 0.);
       weights += weight;
       offset = offset + weight * tangential;
-      moments.add(weight, tangential);
+      moments.add(j.weight * (std::max)(1. - squared_length / (near * near), 0.), tangential);
     }
     // a disc with n points for each of its unit squares has n pi / 2 radius^2 such weights
     spacing = (std::min)(spacing, margin * radius * std::sqrt(CGAL_PI / (2. * (1. + weights))));
@@ -143,10 +150,11 @@ private:
       if (nearness > 0. && distance > 0.)
         step = step - (sheet[j].weight * nearness / distance) * differences[j];
     }
-    step = moments.without_thin_part(step * (strength * spacing), line_share);
     if (weights > 0.)
       step = not_beyond_border(step, offset / (weights * radius));
-    return not_longer(step, longest_step * spacing);
+    const double spread =
+        ramp(moments.aspect(), line_aspect, surface_aspect); // how far they are a surface
+    return not_longer(step * (spread * strength * spacing), longest_step * spacing);
   }
 
   /// Without the part that points outwards, if there is a border.
@@ -156,7 +164,7 @@ private:
     const double length = std::sqrt(offset.squared_length());
     if (!(length > least_offset) || step * offset >= 0.)
       return step;
-    const double share = (std::min)((length - least_offset) / (border_offset - least_offset), 1.);
+    const double share = ramp(length, least_offset, border_offset);
     return step - (share * (step * offset) / (length * length)) * offset;
   }
 
