@@ -39,10 +39,15 @@ double largest_coordinate(const Points& points)
   return largest;
 }
 
-/// The distance of the k-th of the other places, or of the last one
+/// The distance of the k-th of the other places, or of the last one. What differs by so little of the extent
+/// is one place.
 double neighborhood_radius(const Points& points, std::size_t i, std::size_t k)
 {
-  std::vector<Point_3> places = points;
+  const double same = 1e-140 * largest_coordinate(points);
+  const auto rounded = [&](double c) { return std::abs(c) < same ? 0. : c; };
+  std::vector<Point_3> places;
+  for (const Point_3& p : points)
+    places.emplace_back(rounded(p.x()), rounded(p.y()), rounded(p.z()));
   std::sort(places.begin(), places.end());
   places.erase(std::unique(places.begin(), places.end()), places.end());
   std::vector<double> distances(places.size());
