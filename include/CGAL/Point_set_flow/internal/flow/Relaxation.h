@@ -41,6 +41,7 @@ class Relaxation {
   // The aspect of the points around, the smaller of their second moments as a share of the larger one: up to the
   // first one they are in a line
   static constexpr double line_aspect = .05, surface_aspect = .2;
+  static constexpr double largest_exponent = 7.; // of weights that matter
   // A point's own spacing, with a margin for its scatter, counts where it is less than that of the part:
   // beside a coarser region
   static constexpr double margin = 1.1;
@@ -103,7 +104,6 @@ private:
     const double spacing = neighborhood.spacing(), far = (border_radius + 2. * farthest) * spacing;
     const double by_height = 1. / (2. * sheet_width * sheet_width * spacing * spacing);
     const double by_angle = 2. / (angle_width * angle_width); // 1 - cos is half the squared angle
-    const double least_weight = .001;
     for (std::size_t j = 0; j < neighborhood.size(); ++j) {
       const Vector_3 d = neighborhood[j] - center;
       if (d.squared_length() > far * far)
@@ -112,9 +112,9 @@ private:
       const double angle = (1. - std::abs(cosine)) * by_angle;
       const double height =
           .5 * (d * normal + std::copysign(1., cosine) * (d * neighborhood.normal(j)));
-      const double weight = std::exp(-(angle * angle + height * height * by_height));
-      if (weight > least_weight)
-        sheet.push_back({neighborhood.index(j), weight});
+      const double exponent = angle * angle + height * height * by_height;
+      if (exponent < largest_exponent)
+        sheet.push_back({neighborhood.index(j), std::exp(-exponent)});
     }
     return sheet;
   }
@@ -143,12 +143,15 @@ private:
     // a disc with n points for each of its unit squares has n pi / 2 radius^2 such weights
     spacing = (std::min)(spacing, margin * radius * std::sqrt(CGAL_PI / (2. * (1. + weights))));
 
+    const double farthest_pushing = reach * spacing;
     Vector_3 step = NULL_VECTOR;
     for (std::size_t j = 0; j < sheet.size(); ++j) {
-      const double distance = std::sqrt(differences[j].squared_length());
-      const double nearness = 1. - distance / (reach * spacing);
-      if (nearness > 0. && distance > 0.)
-        step = step - (sheet[j].weight * nearness / distance) * differences[j];
+      const double squared_distance = differences[j].squared_length();
+      if (!(squared_distance > 0.) || squared_distance > farthest_pushing * farthest_pushing)
+        continue;
+      const double distance = std::sqrt(squared_distance);
+      const double nearness = 1. - distance / farthest_pushing;
+      step = step - (sheet[j].weight * nearness / distance) * differences[j];
     }
     if (weights > 0.)
       step = not_beyond_border(step, offset / (weights * radius));
@@ -177,7 +180,10 @@ private:
     double weights = 0., heights = 0.;
     const auto add = [&](const Point_3& p, const Vector_3& normal, double sheet_weight) {
       const Vector_3 d = q - p;
-      const double weight = sheet_weight * std::exp(-d.squared_length() * by_distance);
+      const double exponent = d.squared_length() * by_distance;
+      if (exponent > largest_exponent)
+        return;
+      const double weight = sheet_weight * std::exp(-exponent);
       const double sided = std::copysign(weight, normal * neighborhood.normal());
       normals = normals + sided * normal;
       differences = differences + weight * d;
@@ -188,7 +194,7 @@ private:
     for (const Sheet_neighbor& j : sheet)
       add(m_surface.points[j.index], m_surface.state.normals[j.index], j.weight);
     const double length = std::sqrt(normals.squared_length());
-    if (!(length > 0.))
+    if (!(length > 0.)) // nothing is near, or there are no normals
       return q;
     const Vector_3 normal = normals / length; // of the surface at q
     return q - (.5 * (differences * normal + heights) / weights) * normal;
