@@ -89,14 +89,12 @@ namespace CGAL {
          points do not move where it is 0. `Covariance_curvature` uses it for `k` and \f$K\f$ only.}
      \cgalParamNEnd
      \cgalParamNBegin{neighbor_radius}
-       \cgalParamDescription{the spherical neighborhood radius, in the unit of the data: the
-         neighbors of a point are the *nearest* `k` of those within it, and there may be fewer}
+       \cgalParamDescription{the spherical neighborhood radius: only points within it are neighbors}
        \cgalParamType{floating scalar value, not negative}
        \cgalParamDefault{`0` (no limit)}
      \cgalParamNEnd
      \cgalParamNBegin{point_is_constrained_map}
-       \cgalParamDescription{a property map telling which points must not move; they still serve as
-         neighbors}
+       \cgalParamDescription{tells which points must not move; they still serve as neighbors}
        \cgalParamType{a model of `ReadablePropertyMap` whose key type is the value type of the
          iterator of `PointRange` and whose value type is convertible to `bool`}
        \cgalParamDefault{All points may move.}
@@ -129,8 +127,7 @@ namespace CGAL {
        \cgalParamDefault{not computed}
      \cgalParamNEnd
      \cgalParamNBegin{smoothing_report}
-       \cgalParamDescription{(*) receives what was found, used and done, see
-         `Point_set_flow::Smoothing_report`}
+       \cgalParamDescription{(*) receives what was found, used and done}
        \cgalParamType{`std::reference_wrapper<Point_set_flow::Smoothing_report>`, by `std::ref`}
        \cgalParamDefault{unused}
      \cgalParamNEnd
