@@ -20,6 +20,7 @@ void for_each_setting(Settings& settings, const Visit& visit)
   visit("curvature", s.curvature);
   visit("neighbors", s.k);
   visit("iterations", s.iterations);
+  visit("relaxation_steps", s.relaxation_steps);
   visit("update_period", s.update_period);
   visit("neighbor_radius", s.neighbor_radius);
   visit("sharpness_angle", s.sharpness_angle);

@@ -124,6 +124,8 @@ void print_summary(std::ostream& out, const Scene_report& r, const Settings& set
       << "neighbors         " << neighbors_to_text(*r.smoothing)
       << (s.k || s.is_paper_estimator() ? "" : " (fewer where two sheets are close)") << "\n"
       << "iterations        " << s.iterations << "\n";
+  if (s.relaxation_steps != 0)
+    out << "relaxation steps  " << s.relaxation_steps << "\n";
   if (!settings.dry_run)
     print_movement(out, *r.smoothing, s);
   else

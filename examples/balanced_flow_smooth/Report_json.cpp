@@ -56,6 +56,7 @@ Json parameters_to_json(const Smoothing_report& r, const Smoothing_settings& s)
   parameters["neighbors"] = {{"fewest", r.fewest_neighbors}, {"most", r.most_neighbors}};
   parameters["neighbor_radius"] = s.neighbor_radius;
   parameters["iterations"] = s.iterations;
+  parameters["relaxation_steps"] = s.relaxation_steps;
   parameters["sharpness_angle"] = s.sharpness_angle;
   parameters["feature_threshold"] = r.feature_threshold;
   parameters["filter_width"] = r.filter_width;

@@ -56,7 +56,7 @@ std::size_t find_sides(Cloud& cloud, const Smoothing_settings& s, const Callback
   // from opposite directions. Neither are the normals of all scans together, on a wall that is thinner than
   // the neighborhoods.
   Smoothing_settings normals_only = s;
-  normals_only.iterations = 0;
+  normals_only.iterations = normals_only.relaxation_steps = 0;
   Smoothing_report unused;
   Cloud single;
   single.normals.assign(n, CGAL::NULL_VECTOR);

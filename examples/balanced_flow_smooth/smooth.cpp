@@ -98,6 +98,7 @@ auto with_cloud(const Own& own, Any_cloud& cloud, const Smoothing_settings& s,
 {
   return own.scan_map(Scan_map{&cloud.scans})
       .number_of_iterations(s.iterations)
+      .number_of_relaxation_steps(s.relaxation_steps)
       .sharpness_angle(s.sharpness_angle)
       .neighbor_radius(s.neighbor_radius)
       .callback(callback)

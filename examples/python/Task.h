@@ -22,7 +22,7 @@ struct Parameters {
   std::optional<unsigned int> k;
   std::optional<double> noise, sharpness_angle, step_length;
   std::optional<std::int64_t> number_of_iterations;
-  std::int64_t update_period = 0, block_size = 0;
+  std::int64_t number_of_relaxation_steps = 0, update_period = 0, block_size = 0;
   double neighbor_radius = 0.;
   int threads = 0; ///< 0 for as many as there are
 };

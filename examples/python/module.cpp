@@ -70,6 +70,7 @@ Parameters read_parameters(const Arguments& arguments)
   arguments.get("sharpness_angle", p.sharpness_angle);
   arguments.get("step_length", p.step_length);
   arguments.get("number_of_iterations", p.number_of_iterations);
+  arguments.get("number_of_relaxation_steps", p.number_of_relaxation_steps);
   arguments.get("update_period", p.update_period);
   arguments.get("block_size", p.block_size);
   arguments.get("neighbor_radius", p.neighbor_radius);
@@ -85,9 +86,10 @@ py::dict to_dict(const Smoothing_report& r)
       arg("number_of_distinct_points") = r.number_of_distinct_points, arg("noise") = r.noise,
       arg("spacing") = r.spacing, arg("fewest_neighbors") = r.fewest_neighbors,
       arg("most_neighbors") = r.most_neighbors,
-      arg("number_of_iterations") = r.number_of_iterations, arg("filter_width") = r.filter_width,
-      arg("feature_threshold") = r.feature_threshold, arg("mean_movement") = r.mean_movement,
-      arg("last_movement") = r.last_movement,
+      arg("number_of_iterations") = r.number_of_iterations,
+      arg("number_of_relaxation_steps") = r.number_of_relaxation_steps,
+      arg("filter_width") = r.filter_width, arg("feature_threshold") = r.feature_threshold,
+      arg("mean_movement") = r.mean_movement, arg("last_movement") = r.last_movement,
       arg("number_of_moved_points") = r.number_of_moved_points,
       arg("number_of_constrained_points") = r.number_of_constrained_points,
       arg("number_of_isolated_points") = r.number_of_isolated_points,

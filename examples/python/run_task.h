@@ -56,6 +56,7 @@ void with_parameters(const Task<FT>& task, Smoothing_report& report, const Run& 
       const auto all =
           own.smoothing_report(std::ref(report))
               .number_of_iterations(p.number_of_iterations.value_or(defaults.number_of_iterations))
+              .number_of_relaxation_steps(p.number_of_relaxation_steps)
               .sharpness_angle(p.sharpness_angle.value_or(defaults.sharpness_angle))
               .neighbor_radius(p.neighbor_radius)
               .callback(task.callback)

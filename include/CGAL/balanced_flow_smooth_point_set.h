@@ -18,14 +18,14 @@ namespace CGAL {
    \cgalCite{xmlp-dbffpsg}, given by equation (9), table 1 and section 3.2 of the paper.
 
    In each iteration every point moves along its normal with the speed of its directional curvature,
-   slowed down where the surface has features that the noise does not explain, and is drawn back
-   there to the reference: the input, replaced by the points every `update_period` steps.
+   slowed down at features that the noise does not explain, and is drawn back there to the
+   reference: the input, replaced by the points every `update_period` steps.
 
    The directional curvature and the normals are those of `Point_set_flow::Tangent_plane_curvature`,
    which preserves sharp features and does not shrink curved surfaces. The noise (unless given), the
    spacing, the neighborhood sizes and \f$K\f$ that suit them, and where the surface is thin are
-   found around each point, so that noise and density may vary. The function can replace
-   `CGAL::jet_smooth_point_set()` and `CGAL::bilateral_smooth_point_set()`; normals are not needed.
+   found around each point. The function can replace `CGAL::jet_smooth_point_set()` and
+   `CGAL::bilateral_smooth_point_set()`; normals are not needed.
 
    The result
    - does not depend on the order of the points, and is bitwise identical with all concurrency tags;
@@ -35,10 +35,10 @@ namespace CGAL {
      has canceled the run, all points and normals are unchanged.
 
    Exact duplicates move as one point. With the flows of this package, points that start at the
-   reference do not move if they lie in a plane with all their neighbors, in particular if there are
-   three points or fewer. Points far from all others do not move either: those whose neighborhood
-   radius is more than four times that of each of their neighbors. Neighbors are found once, in the
-   reference. All computations are done in `double`.
+   reference do not move if they lie in a plane with all their neighbors, unless they are relaxed.
+   Points far from all others do not move either: those whose neighborhood radius is more than four
+   times that of each of their neighbors. Neighbors are found once, in the reference. All
+   computations are done in `double`.
 
    \tparam ConcurrencyTag enables sequential versus parallel algorithm. Possible values are
    `Sequential_tag`, `Parallel_tag`, and `Parallel_if_available_tag`. `Parallel_tag` needs the
@@ -89,14 +89,12 @@ namespace CGAL {
          points do not move where it is 0. `Covariance_curvature` uses it for `k` and \f$K\f$ only.}
      \cgalParamNEnd
      \cgalParamNBegin{neighbor_radius}
-       \cgalParamDescription{the spherical neighborhood radius, in the unit of the data: the
-         neighbors of a point are the *nearest* `k` of those within it, and there may be fewer}
+       \cgalParamDescription{the spherical neighborhood radius: only points within it are neighbors}
        \cgalParamType{floating scalar value, not negative}
        \cgalParamDefault{`0` (no limit)}
      \cgalParamNEnd
      \cgalParamNBegin{point_is_constrained_map}
-       \cgalParamDescription{a property map telling which points must not move; they still serve as
-         neighbors}
+       \cgalParamDescription{tells which points must not move; they still serve as neighbors}
        \cgalParamType{a model of `ReadablePropertyMap` whose key type is the value type of the
          iterator of `PointRange` and whose value type is convertible to `bool`}
        \cgalParamDefault{All points may move.}
@@ -115,6 +113,12 @@ namespace CGAL {
        \cgalParamType{a model of `Kernel`}
        \cgalParamDefault{a \cgal Kernel deduced from the point type, using `CGAL::Kernel_traits`}
      \cgalParamNEnd
+     \cgalParamNBegin{number_of_relaxation_steps}
+       \cgalParamDescription{the number of steps that then spread the points along the surface; 3 to
+         5 do most of it. They move by up to a spacing, with their attributes, also without noise.}
+       \cgalParamType{unsigned int}
+       \cgalParamDefault{`0`: points move along their normals only}
+     \cgalParamNEnd
      \cgalParamNBegin{feature_strength_map}
        \cgalParamDescription{(*) a property map that receives the feature strength: \f$1 - g\f$ of
          the variation of the result, 0 on flat parts, 1/2 at a crease of `sharpness_angle`}
@@ -123,8 +127,7 @@ namespace CGAL {
        \cgalParamDefault{not computed}
      \cgalParamNEnd
      \cgalParamNBegin{smoothing_report}
-       \cgalParamDescription{(*) receives what was found, used and done, see
-         `Point_set_flow::Smoothing_report`}
+       \cgalParamDescription{(*) receives what was found, used and done}
        \cgalParamType{`std::reference_wrapper<Point_set_flow::Smoothing_report>`, by `std::ref`}
        \cgalParamDefault{unused}
      \cgalParamNEnd
@@ -199,7 +202,7 @@ namespace CGAL {
          set is cut into blocks, each smoothed with its halo; the result is bitwise identical.}
        \cgalParamType{unsigned int, positive}
        \cgalParamDefault{`4194304`}
-       \cgalParamExtra{Bounds the memory of the flow. By default, halos cost a tenth of the time.}
+       \cgalParamExtra{Bounds the memory of the flow. Halos cost a tenth of the time.}
      \cgalParamNEnd
    \cgalNamedParamsEnd
 

@@ -3,7 +3,7 @@
 // defaults, beside doing nothing and the smoothers of CGAL with the best of their settings:
 // generated clouds, virtual scans, and real ones from folders. Prints Markdown tables, rows as they
 // are done, and a table of the project's targets.
-//   benchmark_field [--groups ...] [--scans DIR] [--punet DIR] [--seed ...] [--quick]
+//   benchmark_field [--groups ...] [--scans DIR] [--punet DIR] [--punet-others DIR...] [--seed ...] [--quick]
 // Errors are rms distances to the true surface of the points that were measured on it.
 #include "field/run_field.h"
 #include "noise/run_noise.h"
@@ -28,6 +28,7 @@ struct Settings {
   unsigned int seed;
   std::string scans, punet;
   std::vector<std::size_t> punet_points;
+  std::vector<std::string> punet_others;
   bool quick;
 
   bool has(const std::string& group) const
@@ -48,6 +49,7 @@ std::optional<Settings> read_command_line(int argc, char** argv)
     ("scans", options::value(&s.scans), "folder of real scans: X_noisy.ply, and the surface X_clean.ply, a mesh or a denser cloud")
     ("punet", options::value(&s.punet), "folder of PU-Net's test set: X_10000_clean.ply, X_10000_noisy_0.01.ply, X_mesh.off, ...")
     ("punet-points", options::value(&s.punet_points)->multitoken()->default_value({10000}, "10000"), "which of the clouds of PU-Net's test set")
+    ("punet-others", options::value(&s.punet_others)->multitoken(), "folders named after other methods, with what they made of the noisy clouds, in files of the same names and in the same coordinates")
     ("seed", options::value(&s.seed)->default_value(1), "of what is generated: other seeds are other surfaces and other noise")
     ("quick", options::bool_switch(&s.quick), "a few small cases, whose figures mean little");
   // clang-format on
@@ -80,7 +82,7 @@ void run(const Settings& s)
   if (s.has("pairs") && !s.scans.empty())
     run_pairs(s.scans, targets);
   if (s.has("punet") && !s.punet.empty())
-    run_punet(s.punet, s.punet_points, targets);
+    Punet_benchmark(s.punet_others).run(s.punet, s.punet_points, targets);
   if (s.has("relief") && !s.quick)
     run_relief(targets);
   if (s.has("noise"))

@@ -2,7 +2,7 @@
 // The measures of benchmark_field, where the right answer is known
 #define BOOST_TEST_MODULE benchmark_measures
 #include "field/run_field.h"
-#include "punet/face_distances.h"
+#include "punet/Punet_case.h"
 #include "relief/Building_relief.h"
 #include "scanner/Virtual_scanner.h"
 #include "scanner/building_front.h"
@@ -65,6 +65,30 @@ BOOST_AUTO_TEST_CASE(faces_find_their_nearest_point)
         Face_distance(points, nearest, {corners[i], corners[i + 1], corners[i + 2]}).squared();
     BOOST_TEST(found == least);
   }
+}
+
+BOOST_AUTO_TEST_CASE(scores_of_a_shifted_plane_are_known)
+{
+  Punet_case square;
+  const Points corners = {{0., 0., 0.}, {1., 0., 0.}, {1., 1., 0.}, {0., 1., 0.}};
+  square.surface = std::make_shared<Mesh_surface>(*make_mesh(corners, {{0, 1, 2}, {0, 2, 3}}));
+  const int m = 20;
+  for (int i = 0; i <= m; ++i)
+    for (int j = 0; j <= m; ++j)
+      square.clean.emplace_back(double(i) / m, double(j) / m, 0.);
+  Points shifted, without_corner;
+  for (const Point_3& p : square.clean) {
+    shifted.emplace_back(p.x(), p.y(), .01);
+    if (p.x() > .09 || p.y() > .09)
+      without_corner.push_back(p);
+  }
+  const Punet_score none = square.score(square.clean, ""), score = square.score(shifted, "");
+  BOOST_TEST(none.cd + none.p2m + none.rms + none.variation + none.gap < 1e-6);
+  BOOST_TEST(std::abs(score.cd - 2.) < 1e-6); // .01^2 in both directions, x 1e4
+  BOOST_TEST(std::abs(score.p2m - 2.) < 1e-6);
+  BOOST_TEST(std::abs(score.rms - 10.) < 1e-6); // x 1e3
+  BOOST_TEST(std::abs(score.gap - .2) < 1e-6);  // spacings of .05
+  BOOST_TEST(std::abs(square.score(without_corner, "").gap - 2.) < 1e-6);
 }
 
 BOOST_AUTO_TEST_CASE(relief_is_what_is_left_of_the_heights)

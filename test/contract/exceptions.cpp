@@ -80,6 +80,7 @@ BOOST_AUTO_TEST_CASE(errors_name_the_argument_and_leave_the_points_unchanged)
   check("number_of_iterations is 1.5" + whole, with(np::number_of_iterations(1.5)));
   check("number_of_iterations is nan" + whole, with(np::number_of_iterations(not_a_number)));
   check("update_period is -1" + whole, with(np::update_period(-1)));
+  check("number_of_relaxation_steps is -1" + whole, with(np::number_of_relaxation_steps(-1)));
   check("block_size is 4294967296" + whole, with(np::block_size(std::size_t(1) << 32)));
   check("block_size is 0, but must be positive", with(np::block_size(0)));
 }

@@ -37,6 +37,7 @@ void check_same_findings(const Smoothing_report& a, const Smoothing_report& b)
   BOOST_TEST(a.fewest_neighbors == b.fewest_neighbors);
   BOOST_TEST(a.most_neighbors == b.most_neighbors);
   BOOST_TEST(a.number_of_iterations == b.number_of_iterations);
+  BOOST_TEST(a.number_of_relaxation_steps == b.number_of_relaxation_steps);
   BOOST_TEST(a.filter_width == b.filter_width);
   BOOST_TEST(a.feature_threshold == b.feature_threshold);
 }

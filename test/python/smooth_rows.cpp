@@ -52,6 +52,7 @@ int smooth_rows(const std::string& mode, const char* input, const char* output)
                                                   .step_length(.5)
                                                   .update_period(2)
                                                   .number_of_iterations(7)
+                                                  .number_of_relaxation_steps(2)
                                                   .sharpness_angle(40.)
                                                   .neighbor_radius(.3)
                                                   .point_map(point_map));

@@ -45,6 +45,7 @@ BAD_VALUES = [
     (dict(sharpness_angle=0), ["sharpness_angle is 0", "(0, 180]"]),
     (dict(step_length=np.inf), ["step_length is inf"]),
     (dict(update_period=-2), ["update_period is -2"]),
+    (dict(number_of_relaxation_steps=-1), ["number_of_relaxation_steps is -1"]),
     (dict(block_size=0), ["block_size is 0"]),
     (dict(threads=0), ["threads is 0"]),
     (dict(flow="sideways"), ["flow is 'sideways'", "'balanced'"]),

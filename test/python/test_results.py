@@ -36,6 +36,7 @@ def test_every_bit_is_that_of_the_cpp_function(dtype, tmp_path):
     points, normals = rows[:, :3], rows[:, 3:6]
     assert np.array_equal(bf.smooth(points), of_cpp("plain", rows, tmp_path)[:, :3])
     with_numbers = bf.smooth(points, None, 30, 0.02, step_length=0.5, update_period=2, number_of_iterations=7,
+                             number_of_relaxation_steps=2,
                              sharpness_angle=40, neighbor_radius=0.3)
     assert np.array_equal(with_numbers, of_cpp("numbers", rows, tmp_path)[:, :3])
     with_arrays = bf.smooth(points, normals, noise=rows[:, 6], scans=rows[:, 7].astype(np.uint8),
@@ -108,7 +109,8 @@ def test_the_analysis_is_what_smoothing_uses(dtype):
     smoothed, report = bf.smooth(points, return_report=True)
     analysis = bf.analyze(points)
     for field in ("number_of_points", "number_of_distinct_points", "noise", "spacing", "fewest_neighbors",
-                  "most_neighbors", "number_of_iterations", "filter_width", "feature_threshold"):
+                  "most_neighbors", "number_of_iterations",
+                  "number_of_relaxation_steps", "filter_width", "feature_threshold"):
         assert getattr(analysis, field) == getattr(report, field), field
     assert analysis.number_of_moved_points == 0
     assert bf.estimate_noise(points) == report.noise == pytest.approx(0.01, rel=0.2)

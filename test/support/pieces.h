@@ -31,6 +31,7 @@ struct Cloud {
   std::vector<std::uint32_t> scans; // the same
   std::vector<char> constrained;    // the same
   std::vector<double> noise;        // the same
+  unsigned int relaxation_steps = 0;
 
   explicit Cloud(std::string n, Points p) : name(std::move(n)), points(std::move(p)) {}
 };
@@ -178,6 +179,8 @@ inline std::vector<Cloud> clouds()
   for (const shapes::Point_3& p : even)
     given.noise.push_back(p.y() < .001 ? 0. : .1 * p.y());
   all.push_back(given);
+  for (std::size_t i = 1; i < all.size(); i += 2)
+    all[i].relaxation_steps = 2;
   return all;
 }
 

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the paper says of its flows, with numbers, for the paper's estimator.
+// What the paper says of its flows, with numbers, for the paper's estimator; and the relaxation after a flow.
 #define BOOST_TEST_MODULE flows
 #include <boost/test/unit_test.hpp>
 
+#include "relaxation.h"
 #include "shapes.h"
 
 #include <CGAL/Point_set_flow/Any_flow.h>

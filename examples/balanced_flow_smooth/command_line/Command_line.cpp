@@ -59,7 +59,7 @@ Settings Command_line::settings()
 
 Settings Command_line::settings_without_jobs()
 {
-  for (const char* count : {"neighbors", "iterations", "update-period", "threads"})
+  for (const char* count : {"neighbors", "iterations", "update-period", "relax", "threads"})
     if (has(count) && m_given[count].as<int>() < 0)
       throw Usage_error("--" + std::string(count) + " must not be negative");
   if (m_jobs < 1 || m_jobs > 1024)
@@ -126,6 +126,7 @@ void Command_line::set_smoothing()
     s.k = unsigned(m_k);
   s.iterations = has("iterations") ? unsigned(m_iterations) : defaults.number_of_iterations;
   s.update_period = unsigned(m_update_period);
+  s.relaxation_steps = unsigned(m_relaxation_steps);
   if (!has("sharpness-angle"))
     s.sharpness_angle = defaults.sharpness_angle;
   if (!has("step-length"))

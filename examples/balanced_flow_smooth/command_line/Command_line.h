@@ -25,7 +25,8 @@ const std::map<std::string, std::vector<std::string>>& choices();
 /// What stands on the command line; each option is described once, here.
 class Command_line {
   // as they come: signed, so that -1 is refused and not 4294967295
-  int m_k = 0, m_iterations = 0, m_update_period = 4, m_threads = 0, m_jobs = 1;
+  int m_k = 0, m_iterations = 0, m_update_period = 4, m_relaxation_steps = 0, m_threads = 0,
+      m_jobs = 1;
   long m_block_size = 0;
   double m_noise = 0., m_feature_threshold = 0., m_filter_width = 0.;
   bool m_in_place = false;

@@ -16,7 +16,7 @@ namespace balanced_flow_smooth {
 struct Smoothing_settings {
   std::string flow = "balanced", curvature = "tangent-plane";
   std::optional<unsigned int> k;
-  unsigned int iterations = 0, update_period = 4;
+  unsigned int iterations = 0, update_period = 4, relaxation_steps = 0;
   double neighbor_radius = 0., sharpness_angle = 0., step_length = 0.;
   std::optional<double> noise, feature_threshold, filter_width;
 
@@ -24,7 +24,8 @@ struct Smoothing_settings {
 
   bool makes_steps() const
   {
-    return iterations != 0 && step_length != 0. && noise.value_or(1.) != 0.;
+    return relaxation_steps != 0 ||
+           (iterations != 0 && step_length != 0. && noise.value_or(1.) != 0.);
   }
   bool is_paper_estimator() const { return curvature == "covariance"; }
 };

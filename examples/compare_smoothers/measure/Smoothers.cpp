@@ -69,15 +69,18 @@ template Smoothed paper_flow(const Points&, const flows::Well_posed_anisotropic_
 template Smoothed paper_flow(const Points&, const flows::Volume_preserving_flow&);
 template Smoothed paper_flow(const Points&, const flows::Balanced_flow&);
 
-Smoothed point_set_flow(const Points& noisy)
+Smoothed point_set_flow_relaxed(const Points& noisy, unsigned int steps)
 {
   Smoothed result{noisy, Vectors(noisy.size(), CGAL::NULL_VECTOR)};
   std::vector<std::size_t> indices = numbers(noisy.size());
   CGAL::balanced_flow_smooth_point_set<Concurrency_tag>(
-      indices, CGAL::parameters::point_map(CGAL::make_property_map(result.points))
+      indices, CGAL::parameters::number_of_relaxation_steps(steps)
+                   .point_map(CGAL::make_property_map(result.points))
                    .normal_map(CGAL::make_property_map(result.normals)));
   return result;
 }
+
+Smoothed point_set_flow(const Points& noisy) { return point_set_flow_relaxed(noisy, 0); }
 
 Smoothed point_set_flow(const Points& noisy, unsigned int k)
 {

@@ -49,6 +49,9 @@ Smoothed paper_flow(const Points& noisy, const Flow& flow);
 /// This package with its defaults.
 Smoothed point_set_flow(const Points& noisy);
 
+/// This package with its defaults, and steps of relaxation along the surface.
+Smoothed point_set_flow_relaxed(const Points& noisy, unsigned int steps);
+
 /// This package with a neighborhood size.
 Smoothed point_set_flow(const Points& noisy, unsigned int k);
 

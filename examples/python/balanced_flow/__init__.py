@@ -23,9 +23,9 @@ class Canceled(Exception):
 
 
 def smooth(points, normals=None, k=None, noise=None, *, scans=None, constrained=None,
-           neighbor_radius=0.0, number_of_iterations=None, sharpness_angle=None, step_length=None,
-           update_period=4, flow="balanced", curvature="tangent-plane", block_size=4194304, threads=None,
-           callback=None, out=None, out_normals=None, return_report=False):
+           neighbor_radius=0.0, number_of_iterations=None, number_of_relaxation_steps=0,
+           sharpness_angle=None, step_length=None, update_period=4, flow="balanced",
+           curvature="tangent-plane", block_size=4194304, threads=None, callback=None, out=None, out_normals=None, return_report=False):
     """Denoise a point set.
 
     Parameters
@@ -58,6 +58,10 @@ def smooth(points, normals=None, k=None, noise=None, *, scans=None, constrained=
         Neighbors of a point are the nearest k within this radius; 0, the default, for no limit.
     number_of_iterations : int, optional
         The number of steps; by default 5, and 12 for the curvature 'covariance'.
+    number_of_relaxation_steps : int
+        The number of steps that then spread the points evenly along the surface, by default 0; 3 to 5 do
+        most of it. Points move by up to a spacing, and what belongs to them, such as colors, with them. They
+        move also where there is no noise.
     sharpness_angle : float, optional
         The angle in degrees between two planes from which on their crease is a feature; by default 60, and
         30 for the curvature 'covariance'.
@@ -113,7 +117,8 @@ def smooth(points, normals=None, k=None, noise=None, *, scans=None, constrained=
     """
     arguments = core_arguments(
         points, normals, k, noise, scans, constrained, neighbor_radius, number_of_iterations,
-        sharpness_angle, step_length, update_period, flow, curvature, block_size, threads, callback)
+        number_of_relaxation_steps, sharpness_angle, step_length, update_period, flow, curvature, block_size,
+        threads, callback)
     results = new_arrays(arguments, out, out_normals)
     report = _run(_core.smooth, arguments)
     if return_report:
@@ -122,9 +127,9 @@ def smooth(points, normals=None, k=None, noise=None, *, scans=None, constrained=
 
 
 def analyze(points, normals=None, k=None, noise=None, *, scans=None, constrained=None,
-            neighbor_radius=0.0, number_of_iterations=None, sharpness_angle=None, step_length=None,
-            update_period=4, flow="balanced", curvature="tangent-plane", block_size=4194304, threads=None,
-            callback=None):
+            neighbor_radius=0.0, number_of_iterations=None, number_of_relaxation_steps=0,
+            sharpness_angle=None, step_length=None, update_period=4, flow="balanced",
+            curvature="tangent-plane", block_size=4194304, threads=None, callback=None):
     """Report what `smooth` would find and use, without moving any point.
 
     Parameters
@@ -140,7 +145,8 @@ def analyze(points, normals=None, k=None, noise=None, *, scans=None, constrained
     """
     return _run(_core.analyze, core_arguments(
         points, normals, k, noise, scans, constrained, neighbor_radius, number_of_iterations,
-        sharpness_angle, step_length, update_period, flow, curvature, block_size, threads, callback))
+        number_of_relaxation_steps, sharpness_angle, step_length, update_period, flow, curvature, block_size,
+        threads, callback))
 
 
 def estimate_noise(points, *, threads=None):

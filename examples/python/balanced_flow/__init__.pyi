@@ -21,6 +21,7 @@ class Report:
     fewest_neighbors: int
     most_neighbors: int
     number_of_iterations: int
+    number_of_relaxation_steps: int
     filter_width: float
     feature_threshold: float
     mean_movement: float
@@ -37,7 +38,8 @@ class Report:
 def smooth(
     points: ArrayLike, normals: None = ..., k: int | None = ..., noise: ArrayLike | None = ..., *,
     scans: ArrayLike | None = ..., constrained: ArrayLike | None = ..., neighbor_radius: float = ...,
-    number_of_iterations: int | None = ..., sharpness_angle: float | None = ..., step_length: float | None = ...,
+    number_of_iterations: int | None = ..., number_of_relaxation_steps: int = ...,
+    sharpness_angle: float | None = ..., step_length: float | None = ...,
     update_period: int = ..., flow: _Flow = ..., curvature: _Curvature = ..., block_size: int = ...,
     threads: int | None = ..., callback: _Callback | None = ...,
     out: _Array | None = ..., out_normals: None = ..., return_report: Literal[False] = ...,
@@ -46,7 +48,8 @@ def smooth(
 def smooth(
     points: ArrayLike, normals: None = ..., k: int | None = ..., noise: ArrayLike | None = ..., *,
     scans: ArrayLike | None = ..., constrained: ArrayLike | None = ..., neighbor_radius: float = ...,
-    number_of_iterations: int | None = ..., sharpness_angle: float | None = ..., step_length: float | None = ...,
+    number_of_iterations: int | None = ..., number_of_relaxation_steps: int = ...,
+    sharpness_angle: float | None = ..., step_length: float | None = ...,
     update_period: int = ..., flow: _Flow = ..., curvature: _Curvature = ..., block_size: int = ...,
     threads: int | None = ..., callback: _Callback | None = ...,
     out: _Array | None = ..., out_normals: None = ..., return_report: Literal[True],
@@ -55,7 +58,8 @@ def smooth(
 def smooth(
     points: ArrayLike, normals: ArrayLike, k: int | None = ..., noise: ArrayLike | None = ..., *,
     scans: ArrayLike | None = ..., constrained: ArrayLike | None = ..., neighbor_radius: float = ...,
-    number_of_iterations: int | None = ..., sharpness_angle: float | None = ..., step_length: float | None = ...,
+    number_of_iterations: int | None = ..., number_of_relaxation_steps: int = ...,
+    sharpness_angle: float | None = ..., step_length: float | None = ...,
     update_period: int = ..., flow: _Flow = ..., curvature: _Curvature = ..., block_size: int = ...,
     threads: int | None = ..., callback: _Callback | None = ...,
     out: _Array | None = ..., out_normals: _Array | None = ..., return_report: Literal[False] = ...,
@@ -64,7 +68,8 @@ def smooth(
 def smooth(
     points: ArrayLike, normals: ArrayLike, k: int | None = ..., noise: ArrayLike | None = ..., *,
     scans: ArrayLike | None = ..., constrained: ArrayLike | None = ..., neighbor_radius: float = ...,
-    number_of_iterations: int | None = ..., sharpness_angle: float | None = ..., step_length: float | None = ...,
+    number_of_iterations: int | None = ..., number_of_relaxation_steps: int = ...,
+    sharpness_angle: float | None = ..., step_length: float | None = ...,
     update_period: int = ..., flow: _Flow = ..., curvature: _Curvature = ..., block_size: int = ...,
     threads: int | None = ..., callback: _Callback | None = ...,
     out: _Array | None = ..., out_normals: _Array | None = ..., return_report: Literal[True],
@@ -72,7 +77,8 @@ def smooth(
 def analyze(
     points: ArrayLike, normals: ArrayLike | None = ..., k: int | None = ..., noise: ArrayLike | None = ..., *,
     scans: ArrayLike | None = ..., constrained: ArrayLike | None = ..., neighbor_radius: float = ...,
-    number_of_iterations: int | None = ..., sharpness_angle: float | None = ..., step_length: float | None = ...,
+    number_of_iterations: int | None = ..., number_of_relaxation_steps: int = ...,
+    sharpness_angle: float | None = ..., step_length: float | None = ...,
     update_period: int = ..., flow: _Flow = ..., curvature: _Curvature = ..., block_size: int = ...,
     threads: int | None = ..., callback: _Callback | None = ...,
 ) -> Report: ...

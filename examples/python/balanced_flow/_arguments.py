@@ -10,8 +10,8 @@ import numpy as np
 
 
 def core_arguments(points, normals, k, noise, scans, constrained, neighbor_radius, number_of_iterations,
-                   sharpness_angle, step_length, update_period, flow, curvature, block_size, threads,
-                   callback):
+                   number_of_relaxation_steps, sharpness_angle, step_length, update_period, flow, curvature,
+                   block_size, threads, callback):
     """All arguments of the compiled part, without places for results."""
     points = _rows("points", points)
     n = len(points)
@@ -30,6 +30,7 @@ def core_arguments(points, normals, k, noise, scans, constrained, neighbor_radiu
         "constrained": None if constrained is None else _constrained(constrained, n),
         "neighbor_radius": _number("neighbor_radius", neighbor_radius),
         "number_of_iterations": _optional(_whole_number, "number_of_iterations", number_of_iterations),
+        "number_of_relaxation_steps": _whole_number("number_of_relaxation_steps", number_of_relaxation_steps),
         "sharpness_angle": _optional(_number, "sharpness_angle", sharpness_angle),
         "step_length": _optional(_number, "step_length", step_length),
         "update_period": _whole_number("update_period", update_period),

@@ -21,6 +21,7 @@ class Report:
     fewest_neighbors: int  #: the smallest number of neighbors of a point
     most_neighbors: int  #: the largest
     number_of_iterations: int  #: the largest number of steps
+    number_of_relaxation_steps: int  #: along the surface, after them
     filter_width: float  #: in multiples of the neighborhood radius
     feature_threshold: float  #: the constant K of the diffusivity: the median
     mean_movement: float  #: the mean distance between the points before and after

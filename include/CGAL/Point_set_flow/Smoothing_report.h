@@ -31,6 +31,8 @@ struct Smoothing_report {
   unsigned int most_neighbors = 0;
   /// the number of steps
   unsigned int number_of_iterations = 0;
+  /// the number of steps of relaxation along the surface after them
+  unsigned int number_of_relaxation_steps = 0;
   /// \f$\sigma\f$ in multiples of the neighborhood radius; it is larger where a given `k` is smaller
   /// than suits the noise
   double filter_width = 0.;
@@ -38,7 +40,7 @@ struct Smoothing_report {
   double feature_threshold = 0.;
   /// the mean distance between the points before and after; 0 if they were analyzed only
   double mean_movement = 0.;
-  /// the mean distance that the distinct points moved in the last step; 0 if they were analyzed only
+  /// the mean distance that the distinct points moved in the last step of the flow; 0 if they were analyzed only
   double last_movement = 0.;
 
   /// the number of points that moved. It and the next four numbers add up to the number of points; all

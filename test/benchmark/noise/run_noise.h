@@ -109,9 +109,9 @@ class Noise_benchmark {
   {
     Ratios ratios;
     for_each_punet_case(folder, {10000}, [&](const Punet_case& c) {
-      const std::string name = c.shape + ", " + c.noise;
-      const double h = std::sqrt(c.surface->area() / double(c.n)) * c.mesh_sphere.radius;
-      ratios.add(print_row(name, h, std::stod(c.noise) * c.cloud_sphere.radius, c.noisy), name);
+      const std::string name = c.shape + ", " + c.group.noise;
+      const double h = std::sqrt(c.surface->area() / double(c.group.n)) * c.mesh_sphere.radius;
+      ratios.add(print_row(name, h, std::stod(c.group.noise) * c.cloud_sphere.radius, c.noisy), name);
     });
     targets.all_at_most(.3, 8, "noise, how far off, PU-Net's shapes", ratios);
   }

@@ -2,32 +2,31 @@
 #ifndef POINT_SET_FLOW_BENCHMARK_RUN_PUNET_H
 #define POINT_SET_FLOW_BENCHMARK_RUN_PUNET_H
 
-#include "Punet_case.h"
+#include "Punet_table.h"
+
 #include "field/Comparison.h"
 
 namespace comparison {
 
-/// CD and P2M of all that is compared, per shape and in the mean of the shapes.
-class Punet_table {
-  enum Column { noisy, jets, bilaterals, ours, ours_best_k, noise_given, normals_given, columns };
-  typedef std::array<Punet_score, columns> Row;
+/// Ours beside CGAL's smoothers, APSS and what others have written, on PU-Net's test set.
+class Punet_benchmark {
+  std::vector<std::filesystem::path> m_others; ///< folders, with the names of the methods
+  Ratios m_cd_to_input, m_p2m_to_input, m_to_best_k, m_thin_to_best_k, m_relaxed_cd, m_relaxed_p2m;
 
-  std::string m_group; // the rows that belong to one mean
-  Row m_sum;
-  std::size_t m_rows = 0;
-  Ratios m_cd_to_input, m_p2m_to_input, m_to_best_k, m_thin_to_best_k;
+  static constexpr unsigned int relaxation_steps = 5;
 
-  static void keep_better(Punet_score& best, const Punet_score& score)
+  static void keep_better(Punet_row& row, const std::string& column, const Punet_score& score)
   {
-    if (score.p2m < best.p2m)
-      best = score;
+    const auto [found, is_new] = row.emplace(column, score);
+    if (!is_new && score.p2m < found->second.p2m)
+      found->second = score;
   }
 
   static Points smooth_with_noise(const Punet_case& c)
   {
     Points points = c.noisy;
     CGAL::balanced_flow_smooth_point_set<Concurrency_tag>(
-        points, CGAL::parameters::noise(std::stod(c.noise)));
+        points, CGAL::parameters::noise(std::stod(c.group.noise)));
     return points;
   }
 
@@ -42,98 +41,83 @@ class Punet_table {
     return smooth_with_layers(c.noisy, normals);
   }
 
-  static Row measure(const Punet_case& c)
+  Punet_row measure(const Punet_case& c) const
   {
-    Row row;
-    row[noisy] = c.score(c.noisy, "");
-    for (const unsigned int k : {12u, 24u, 48u})
-      keep_better(row[jets], c.score(jet(c.noisy, k).points, "k=" + std::to_string(k)));
-    const Numbered_points oriented = with_normals<Concurrency_tag>(c.noisy, true);
-    for (const unsigned int k : {24u, 48u})
-      keep_better(row[bilaterals],
-                  c.score(bilateral(oriented, k).points, "k=" + std::to_string(k)));
-    row[ours] = c.score(point_set_flow(c.noisy).points, "");
+    Punet_row row;
+    row["noisy"] = c.score(c.noisy, "");
+    for (const Peer& peer : run_peers(c.noisy))
+      keep_better(row, peer.family, c.score(peer.smoothed.points, peer.setting));
+    row["ours"] = c.score(point_set_flow(c.noisy).points, "");
+    row["ours, relaxed"] = c.score(point_set_flow_relaxed(c.noisy, relaxation_steps).points, "");
     for (const unsigned int k : {8u, 12u, 16u, 24u, 48u})
-      keep_better(row[ours_best_k],
+      keep_better(row, "ours, best k",
                   c.score(point_set_flow(c.noisy, k).points, "k=" + std::to_string(k)));
-    row[noise_given] = c.score(smooth_with_noise(c), "");
-    row[normals_given] = c.score(smooth_with_true_normals(c), "");
+    row["ours, noise given"] = c.score(smooth_with_noise(c), "");
+    row["ours, normals given"] = c.score(smooth_with_true_normals(c), "");
+    for (const std::filesystem::path& folder : m_others)
+      if (std::filesystem::exists(folder / c.file_name()))
+        row[name_of(folder)] = c.score(read_cloud(folder / c.file_name()), "");
     return row;
   }
 
-  static void print_row(const std::string& name, const Row& row)
+  static std::string name_of(const std::filesystem::path& folder)
   {
-    std::printf("| %s |", name.c_str());
-    for (const Punet_score& s : row) {
-      std::printf(" %.2f / %.2f", s.cd, s.p2m);
-      std::printf(s.setting.empty() ? " |" : " (%s) |", s.setting.c_str());
-    }
-    std::printf(" %.2f / %.2f | **%.2f** |\n", row[ours].cd / row[noisy].cd,
-                row[ours].p2m / row[noisy].p2m, row[ours].p2m / row[ours_best_k].p2m);
-    std::fflush(stdout);
+    return (folder.has_filename() ? folder : folder.parent_path()).filename().string();
   }
 
-  void print_mean()
+  void add_ratios(const Punet_case& c, const Punet_row& row)
   {
-    if (m_rows == 0)
-      return;
-    for (Punet_score& s : m_sum) {
-      s.cd /= double(m_rows);
-      s.p2m /= double(m_rows);
-    }
-    print_row("*mean, " + m_group + "*", m_sum);
-    m_rows = 0;
+    const Punet_score &noisy = row.at("noisy"), &ours = row.at("ours"),
+                      &relaxed = row.at("ours, relaxed");
+    m_cd_to_input.add(ours.cd / noisy.cd, c.name());
+    m_p2m_to_input.add(ours.p2m / noisy.p2m, c.name());
+    m_relaxed_cd.add(relaxed.cd / ours.cd, c.name());
+    m_relaxed_p2m.add(relaxed.p2m / ours.p2m, c.name());
+    const double to_best_k = ours.p2m / row.at("ours, best k").p2m;
+    m_to_best_k.add(to_best_k, c.name());
+    if ((c.shape == "casting" || c.shape == "chair") && c.group.n == 10000 &&
+        c.group.noise != "0.03")
+      m_thin_to_best_k.add(to_best_k, c.name());
   }
 
 public:
-  Punet_table()
+  explicit Punet_benchmark(const std::vector<std::string>& others)
+      : m_others(others.begin(), others.end())
   {
-    std::printf("\n## PU-Net's test set\n\nCD / two-way P2M, x 1e4\n\n| shape | noisy | jet | "
-                "bilateral | ours | ours, best k | ours, noise given | ours, normals given | "
-                "ours/noisy | P2M, "
-                "ours/best k |\n|---|---|---|---|---|---|---|---|---|---|\n");
+    for (const std::filesystem::path& folder : m_others)
+      if (!std::filesystem::is_directory(folder))
+        throw std::runtime_error(folder.string() + " is no folder");
   }
-  void add(const Punet_case& c)
+
+  void run(const std::string& folder, const std::vector<std::size_t>& points, Targets& targets)
   {
-    const std::string group = std::to_string(c.n) + ", " + c.noise;
-    if (group != m_group)
-      print_mean();
-    m_group = group;
-    const Row row = measure(c);
-    const std::string name = c.shape + ", " + group;
-    print_row(name, row);
-    if (m_rows == 0)
-      m_sum.fill({0., 0., ""});
-    for (std::size_t i = 0; i < columns; ++i) {
-      m_sum[i].cd += row[i].cd;
-      m_sum[i].p2m += row[i].p2m;
-    }
-    ++m_rows;
-    m_cd_to_input.add(row[ours].cd / row[noisy].cd, name);
-    m_p2m_to_input.add(row[ours].p2m / row[noisy].p2m, name);
-    const double to_best_k = row[ours].p2m / row[ours_best_k].p2m;
-    m_to_best_k.add(to_best_k, name);
-    if ((c.shape == "casting" || c.shape == "chair") && c.n == 10000 && c.noise != "0.03")
-      m_thin_to_best_k.add(to_best_k, name);
-  }
-  void finish(Targets& targets)
-  {
-    print_mean();
+    std::vector<std::string> columns = {"noisy",
+                                        "jet",
+                                        "bilateral",
+                                        "APSS",
+                                        "ours",
+                                        "ours, relaxed",
+                                        "ours, best k",
+                                        "ours, noise given",
+                                        "ours, normals given"};
+    for (const std::filesystem::path& other : m_others)
+      columns.push_back(name_of(other));
+    Punet_table table(columns);
+    for_each_punet_case(folder, points, [&](const Punet_case& c) {
+      const Punet_row row = measure(c);
+      table.add(c, row);
+      add_ratios(c, row);
+    });
+    table.finish();
     targets.all_at_most(1.05, 5, "P2M to that with the best single k, thin walls",
                         m_thin_to_best_k);
     targets.all_at_most(1.05, 5, "P2M to that with the best single k, all shapes", m_to_best_k);
     targets.all_at_most(1., 5, "CD to that of the input", m_cd_to_input);
     targets.all_at_most(1., 5, "P2M to that of the input", m_p2m_to_input);
+    targets.all_at_most(1., 5, "CD relaxed to not relaxed", m_relaxed_cd);
+    targets.all_at_most(1.05, 5, "P2M relaxed to not relaxed", m_relaxed_p2m);
   }
 };
-
-inline void run_punet(const std::string& folder, const std::vector<std::size_t>& points,
-                      Targets& targets)
-{
-  Punet_table table;
-  for_each_punet_case(folder, points, [&](const Punet_case& c) { table.add(c); });
-  table.finish(targets);
-}
 
 } // namespace comparison
 

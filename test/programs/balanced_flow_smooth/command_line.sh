@@ -134,6 +134,12 @@ check "a small radius is told" bash -c "'$program' faint.xyz none.xyz --neighbor
 "$program" faint.xyz given.xyz --noise 0.06 --json=given.json > given.txt
 check "the given noise is told" grep -q '^given noise *0.06$' given.txt
 check "it is removed" bash -c "rms() { awk '{ s += \$3^2 } END { print s }' \"\$1\"; }; awk -v a=\$(rms faint.xyz) -v b=\$(rms given.xyz) 'BEGIN { exit !(b < .4 * a) }'"
+"$program" plane.xyz relaxed.xyz --relax=3 > relaxed.txt
+check "relaxation is told" grep -q '^relaxation steps *3$' relaxed.txt
+check "it moves points within their plane" bash -c "awk '(\$3)^2 > 1e-12 { exit 1 }' relaxed.xyz && ! cmp -s plane.xyz relaxed.xyz"
+check "five steps by default" bash -c "'$program' -n plane.xyz --relax | grep -q '^relaxation steps *5$' && '$program' -n plane.xyz --relax --json | grep -q '\"relaxation_steps\": 5'"
+check "none if not asked for" bash -c "'$program' -n plane.xyz --json | grep -q '\"relaxation_steps\": 0'"
+check "not negative" bash -c "'$program' plane.xyz none.xyz --relax=-1 2>&1 | grep -q -e '--relax must not be negative'"
 check "a dry run with it" bash -c "'$program' -n faint.xyz --noise 0.06 --json | grep -q '\"noise\": 0.06'"
 cat > moved.py <<'END'
 import json

@@ -109,6 +109,9 @@ Flow_parameters read_parameters(const std::optional<unsigned int>& k, const Name
   if constexpr (is_given<NamedParameters, cgal_np::number_of_iterations_t>)
     read.number_of_iterations = check.count(
         "number_of_iterations", parameters::get_parameter(np, cgal_np::number_of_iterations));
+  read.number_of_relaxation_steps =
+      check.count("number_of_relaxation_steps", value_of(np, cgal_np::number_of_relaxation_steps,
+                                                         read.number_of_relaxation_steps));
   read.update_period = check.count(
       "update_period", value_of(np, internal_np::update_period_t(), read.update_period));
   read.block_size =

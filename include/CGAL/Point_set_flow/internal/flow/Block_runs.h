@@ -61,6 +61,9 @@ double total_cost(const Flow_parameters& parameters, const Flow& flow, const Cur
          steps * (planes + costs::step) +
          (Number_of_sheet_rounds<Curvature>::value + Number_of_corrections<Curvature>::value) *
              costs::network +
+         (parameters.number_of_relaxation_steps == 0
+              ? 0.
+              : costs::planes + parameters.number_of_relaxation_steps * costs::relaxation) +
          (int(wanted.normals) + int(wanted.feature_strength)) * costs::planes;
 }
 

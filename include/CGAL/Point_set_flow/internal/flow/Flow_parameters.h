@@ -24,6 +24,7 @@ struct Flow_parameters {
   std::optional<double> filter_width;
   std::optional<double> step_length;
   unsigned int update_period = 4; // 0: never
+  unsigned int number_of_relaxation_steps = 0;
   std::size_t block_size = std::size_t(1) << 22;
 };
 

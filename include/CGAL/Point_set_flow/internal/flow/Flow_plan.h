@@ -33,9 +33,8 @@ public:
   const bool is_prefiltered;
   const bool is_k_given, is_noise_given;
   const Curvature_defaults defaults;
-  const unsigned int number_of_iterations, update_period;
-  const unsigned int
-      number_of_rounds; ///< of the estimator besides the steps, each of which looks at all neighbors
+  const unsigned int number_of_iterations, update_period, number_of_relaxation_steps;
+  const unsigned int number_of_rounds; ///< of the estimator besides the steps
   const double step_length;
   const std::size_t number_of_points, number_of_distinct_points;
   const double unit; ///< the length of 1 in the core, in the unit of the data
@@ -55,6 +54,7 @@ public:
         number_of_iterations(
             parameters.number_of_iterations.value_or(defaults.number_of_iterations)),
         update_period(parameters.update_period),
+        number_of_relaxation_steps(parameters.number_of_relaxation_steps),
         number_of_rounds(Number_of_sheet_rounds<Curvature>::value +
                          Number_of_corrections<Curvature>::value),
         step_length(parameters.step_length.value_or(defaults.step_length)),
@@ -85,8 +85,11 @@ public:
   std::size_t number_of_rings() const
   {
     const std::size_t steps = number_of_iterations, outputs = 1;
-    return uses_surface_estimate ? 2 * steps + 4 + number_of_rounds + outputs
-                                 : (is_prefiltered ? 2 : 1) * steps + outputs;
+    const std::size_t relaxation =
+        number_of_relaxation_steps == 0 ? 0 : 1 + std::size_t(number_of_relaxation_steps);
+    return (uses_surface_estimate ? 2 * steps + 4 + number_of_rounds
+                                  : (is_prefiltered ? 2 : 1) * steps) +
+           relaxation + outputs;
   }
 
   /// What is known before the flow runs
@@ -106,6 +109,7 @@ public:
     report.fewest_neighbors = (std::min)(sizes.first->size, others);
     report.most_neighbors = (std::min)(sizes.second->size, others);
     report.number_of_iterations = number_of_iterations;
+    report.number_of_relaxation_steps = number_of_relaxation_steps;
     report.filter_width = filter_width;
     return report;
   }

@@ -7,14 +7,14 @@
 #include <CGAL/Point_set_flow/Covariance_curvature.h>
 #include <CGAL/Point_set_flow/flows.h>
 #include <CGAL/Point_set_flow/internal/flow/Flow_plan.h>
+#include <CGAL/Point_set_flow/internal/flow/adapt_neighborhoods.h>
 #include <CGAL/Point_set_flow/internal/flow/corrections.h>
 #include <CGAL/Point_set_flow/internal/flow/prefilter.h>
-#include <CGAL/Point_set_flow/internal/flow/sheet_rounds.h>
+#include <CGAL/Point_set_flow/internal/flow/Relaxation.h>
 #include <CGAL/Point_set_flow/internal/flow/sides.h>
 #include <CGAL/Point_set_flow/internal/flow/tangent_planes.h>
 #include <CGAL/Point_set_flow/internal/neighbors/Block_cutter.h>
 #include <CGAL/Point_set_flow/internal/flow/Rest_reason.h>
-#include <CGAL/Point_set_flow/internal/noise/two_sheets.h>
 #include <CGAL/Point_set_flow/internal/parallel/Compact_vector_3.h>
 
 #include <algorithm>
@@ -27,11 +27,10 @@ namespace CGAL {
 namespace Point_set_flow {
 namespace internal {
 
-/// The flow on one block (Table 1), from the reference to the result.
+/// The flow on one block (Table 1), from the reference to the result, and the relaxation after it.
 template <typename ConcurrencyTag, typename Flow, typename Curvature>
 class Flow_run {
   static constexpr bool uses_surface_estimate = Uses_surface_estimate<Curvature>::value;
-  static constexpr bool finds_sheets = Number_of_sheet_rounds<Curvature>::value > 0;
   static constexpr bool is_corrected = Number_of_corrections<Curvature>::value > 0;
 
   const Flow_plan& m_plan;
@@ -92,7 +91,7 @@ public:
         });
         m_state.planes.swap(planes);
         if (t == 0)
-          adapt_neighborhoods();
+          adapt_neighborhoods(m_block, m_state, m_plan, m_curvature, m_loops);
       }
 
       allocate_points();
@@ -103,9 +102,11 @@ public:
     if constexpr (is_corrected)
       if (m_plan.number_of_iterations > 0)
         correct_result();
+    if (m_plan.number_of_relaxation_steps != 0)
+      relax_points();
   }
 
-  /// How far a point of the block moved in the last step
+  /// How far a point of the block moved in the last step of the flow
   double moved(std::size_t i) const
   {
     return m_moves.empty() ? 0. : std::sqrt(move(i).squared_length());
@@ -114,7 +115,7 @@ public:
   /// Why a point of the block did not move, if it did not
   Rest_reason rest_reason(std::size_t i) const
   {
-    if (!m_block.constrained.empty() && m_block.constrained[i])
+    if (m_block.is_constrained(i))
       return Rest_reason::CONSTRAINED;
     if (m_plan.number_of_iterations == 0 || m_plan.step_length == 0.)
       return Rest_reason::OTHER;
@@ -161,6 +162,20 @@ public:
   }
 
 private:
+  void relax_points()
+  {
+    // without noise, the planes would be those of the first step, which are blunt at creases
+    for (std::size_t i = 0; i < m_state.noise.size(); ++i)
+      m_state.noise[i] = (std::max)(m_state.noise[i], .1 * m_state.parameters(i).spacing);
+    const Array<Vector_3> normals = find_normals();
+    m_state.planes.resize(normals.size());
+    for (std::size_t i = 0; i < normals.size(); ++i)
+      m_state.planes[i] = Compact_tangent_plane_3(normals[i], 0.);
+    const Array<Point_3> start = m_block.points;
+    const auto moves = [&](std::size_t i) { return may_move(i); };
+    relax(surface(start), m_plan.number_of_relaxation_steps, moves, m_block.points, m_loops);
+  }
+
   Surface surface(const Array<Point_3>& points, double narrowing = 1.) const
   {
     return {points, m_block.graph, m_state, narrowing};
@@ -187,33 +202,6 @@ private:
     m_loops.for_each_chunk(m_block.points.size(), copy);
   }
 
-  /// To thin parts and to noise that varies over the surface
-  void adapt_neighborhoods()
-  {
-    m_loops.begin_stage(stage_costs::sheets, sheet_loops);
-    const Surface first = surface(m_block.current_points());
-    Array<signed char> sides;
-    Array<Distance_moments> moments = find_moments(first, sides, m_loops);
-    if constexpr (finds_sheets)
-      for (std::size_t i = 0; i < moments.size(); ++i)
-        m_state.sheets.push_back(
-            {std::sqrt(moments[i].second) * m_state.parameters(i).spacing, 0., 0.f, 0.f});
-    pool(m_block.graph, moments, m_loops);
-    if constexpr (finds_sheets) {
-      for (std::size_t i = 0; i < moments.size(); ++i)
-        m_state.sheets[i].excess = moments[i].excess();
-      find_sheets(first.points, m_block.graph, m_state, m_curvature, m_loops);
-    }
-    const Sheets sheets = fit_sheets(first, moments, std::move(sides), m_plan.defaults,
-                                     m_state.noise, m_plan.is_noise_given, m_loops);
-    m_state.sheets = Array<Sheet_evidence>(); // memory
-    take_found_sides(m_state, sheets.sides);
-    if (!m_plan.is_k_given) {
-      m_loops.begin_stage(stage_costs::shrink);
-      m_block.graph.shrink(m_block.reference, sheets.sizes, m_loops);
-    }
-  }
-
   /// The residual is what all steps took off a point.
   void correct_result()
   {
@@ -226,6 +214,8 @@ private:
         m_block.points, m_block.graph, m_state, m_curvature,
         [&](std::size_t i) { return rest_reason(i) != Rest_reason::OTHER; }, m_loops);
   }
+
+  bool may_move(std::size_t i) const { return !m_block.is_constrained(i) && !is_isolated(i); }
 
   bool is_isolated(std::size_t i) const
   {
@@ -243,11 +233,10 @@ private:
     m_loops.begin_stage(stage_costs::step, 2);
     m_loops.for_each_chunk(before.size(), [&](std::size_t begin, std::size_t end) {
       for (std::size_t i = begin; i < end; ++i) {
-        const bool is_constrained = !m_block.constrained.empty() && m_block.constrained[i];
-        m_moves[i] = is_constrained || is_isolated(i)
-                         ? Compact_vector_3()
-                         : Compact_vector_3(motion(before, i) *
-                                            (m_plan.step_length / m_plan.unit / length_of_move(i)));
+        m_moves[i] = may_move(i)
+                         ? Compact_vector_3(motion(before, i) *
+                                            (m_plan.step_length / m_plan.unit / length_of_move(i)))
+                         : Compact_vector_3();
       }
     });
     m_loops.for_each_chunk(before.size(), [&](std::size_t begin, std::size_t end) {

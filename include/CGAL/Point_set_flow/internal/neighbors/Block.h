@@ -29,6 +29,7 @@ struct Block {
   Array<Vector_3> sides;               ///< the given ones; empty if none is known
 
   const Array<Point_3>& current_points() const { return points.empty() ? reference : points; }
+  bool is_constrained(std::size_t i) const { return !constrained.empty() && constrained[i]; }
   std::size_t interior_size() const
   {
     return interior.empty() ? reference.size() : interior.size();

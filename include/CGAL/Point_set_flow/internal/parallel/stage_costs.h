@@ -11,7 +11,7 @@ namespace internal {
 /// What the stages cost relative to each other, for the progress
 namespace stage_costs {
 constexpr double order = 1., tree = .5, graph = 6., scale = 4., adapt = .5, prefilter = 1.,
-                 planes = 1., sheets = 2., shrink = .5, step = 1., network = 3.;
+                 planes = 1., sheets = 2., shrink = .5, step = 1., network = 3., relaxation = 1.;
 constexpr double analysis = order + tree + graph + scale;
 } // namespace stage_costs
 
