@@ -10,6 +10,7 @@
 #include <CGAL/Point_set_flow/internal/flow/adapt_neighborhoods.h>
 #include <CGAL/Point_set_flow/internal/flow/corrections.h>
 #include <CGAL/Point_set_flow/internal/flow/prefilter.h>
+#include <CGAL/Point_set_flow/internal/flow/Moves.h>
 #include <CGAL/Point_set_flow/internal/flow/Relaxation.h>
 #include <CGAL/Point_set_flow/internal/flow/sides.h>
 #include <CGAL/Point_set_flow/internal/flow/tangent_planes.h>
@@ -39,16 +40,14 @@ class Flow_run {
   const Curvature& m_curvature;
   Loops<ConcurrencyTag>& m_loops;
   Surface_state m_state;
-  Array<Compact_vector_3> m_moves; // of the last step, in neighborhood radii
-  Array<Compact_vector_3>
-      m_all_moves;                    // the sums of all steps; empty if the result is not corrected
+  Moves m_moves;
   Array<double> m_filtered_variation; // of the prefiltered surface, if the flow looks at it
 
 public:
   Flow_run(const Flow_plan& plan, Block& block, const Flow& flow, const Curvature& curvature,
            Loops<ConcurrencyTag>& loops)
       : m_plan(plan), m_block(block), m_flow(flow), m_curvature(curvature),
-        m_loops(loops), m_state{{}, {}, {}, plan.parts, 0., {}}
+        m_loops(loops), m_state{{}, {}, {}, plan.parts, 0., {}}, m_moves(block.graph)
   {
     m_state.part_of = std::move(block.part_of);
     if (!uses_surface_estimate)
@@ -67,13 +66,13 @@ public:
   /// All steps.
   void operator()()
   {
-    if (is_corrected && m_plan.number_of_iterations > 0)
-      m_all_moves.resize(m_block.reference.size());
+    if (is_corrected)
+      m_moves.keep_all();
     Array<Point_3> filtered;
     for (unsigned int t = 0; t < m_plan.number_of_iterations; ++t) {
       if (m_plan.update_period != 0 && t != 0 && t % m_plan.update_period == 0)
         m_block.reference = m_block.points; // section 3.2
-      m_moves = Array<Compact_vector_3>();  // save memory while normals are computed
+      m_moves.clear();                      // save memory while normals are computed
       m_state.time = t == 0 ? 0. : t / (m_plan.number_of_iterations - 1.);
 
       if (m_plan.is_prefiltered) {
@@ -100,8 +99,12 @@ public:
     }
     allocate_points(); // without iterations
     if constexpr (is_corrected)
-      if (m_plan.number_of_iterations > 0)
-        correct_result();
+      if (m_plan.number_of_iterations > 0) {
+        m_state.residuals = m_moves.residuals(m_state);
+        correct(
+            m_block.points, m_block.graph, m_state, m_curvature,
+            [&](std::size_t i) { return rest_reason(i) != Rest_reason::OTHER; }, m_loops);
+      }
     if (m_plan.number_of_relaxation_steps != 0)
       relax_points();
   }
@@ -109,7 +112,7 @@ public:
   /// How far a point of the block moved in the last step of the flow
   double moved(std::size_t i) const
   {
-    return m_moves.empty() ? 0. : std::sqrt(move(i).squared_length());
+    return m_moves.empty() ? 0. : std::sqrt(m_moves[i].squared_length());
   }
 
   /// Why a point of the block did not move, if it did not
@@ -202,28 +205,9 @@ private:
     m_loops.for_each_chunk(m_block.points.size(), copy);
   }
 
-  /// The residual is what all steps took off a point.
-  void correct_result()
-  {
-    m_state.residuals.resize(m_all_moves.size());
-    for (std::size_t i = 0; i < m_all_moves.size(); ++i)
-      m_state.residuals[i] =
-          -length_of_move(i) * (m_all_moves[i].vector() * m_state.planes[i].normal());
-    m_all_moves = Array<Compact_vector_3>(); // memory
-    correct(
-        m_block.points, m_block.graph, m_state, m_curvature,
-        [&](std::size_t i) { return rest_reason(i) != Rest_reason::OTHER; }, m_loops);
-  }
-
   bool may_move(std::size_t i) const { return !m_block.is_constrained(i) && !is_isolated(i); }
 
-  bool is_isolated(std::size_t i) const
-  {
-    // most neighborhoods are too small for that: a look at the neighbors' would cost more
-    const double spacing = m_state.parameters(i).spacing, radius = m_block.graph.radius(i);
-    return radius * radius > double(m_block.graph.size(i)) * spacing * spacing &&
-           m_block.graph.is_isolated(i);
-  }
+  bool is_isolated(std::size_t i) const { return surface(m_block.points).is_isolated(i); }
 
   /// One explicit step: \f$u \leftarrow u + s\,\partial u / \partial t\f$ for all points at once, so
   /// that the result does not depend on the order of the points or on threads.
@@ -232,28 +216,14 @@ private:
     const Surface before = surface(m_block.points);
     m_loops.begin_stage(stage_costs::step, 2);
     m_loops.for_each_chunk(before.size(), [&](std::size_t begin, std::size_t end) {
-      for (std::size_t i = begin; i < end; ++i) {
-        m_moves[i] = may_move(i)
-                         ? Compact_vector_3(motion(before, i) *
-                                            (m_plan.step_length / m_plan.unit / length_of_move(i)))
-                         : Compact_vector_3();
-      }
+      for (std::size_t i = begin; i < end; ++i)
+        m_moves.set(i, may_move(i) ? motion(before, i) * (m_plan.step_length / m_plan.unit)
+                                   : Vector_3(NULL_VECTOR));
     });
     m_loops.for_each_chunk(before.size(), [&](std::size_t begin, std::size_t end) {
-      for (std::size_t i = begin; i < end; ++i) {
-        m_block.points[i] = m_block.points[i] + move(i);
-        if constexpr (is_corrected)
-          m_all_moves[i] = Compact_vector_3(m_all_moves[i].vector() + m_moves[i].vector());
-      }
+      for (std::size_t i = begin; i < end; ++i)
+        m_block.points[i] = m_block.points[i] + m_moves[i];
     });
-  }
-
-  Vector_3 move(std::size_t i) const { return length_of_move(i) * m_moves[i].vector(); }
-
-  /// The length of 1 of the move: the range of `float` is small.
-  double length_of_move(std::size_t i) const
-  {
-    return m_block.graph.radius(i) > 0. ? m_block.graph.radius(i) : 1.;
   }
 
   /// \f$\partial u / \partial t\f$, in the unit of the data, which the flow sees

@@ -91,6 +91,12 @@ struct Surface {
   double narrowing = 1.; ///< of the Gaussians
 
   std::size_t size() const { return points.size(); }
+  bool is_isolated(std::size_t i) const
+  {
+    // most neighborhoods are too small for that: a look at the neighbors' would cost more
+    const double spacing = state.parameters(i).spacing, radius = graph.radius(i);
+    return radius * radius > double(graph.size(i)) * spacing * spacing && graph.is_isolated(i);
+  }
   Neighborhood_3 neighborhood(std::size_t i) const
   {
     return graph.neighborhood(points, i, narrowing * state.parameters(i).filter_width, state.at(i));
