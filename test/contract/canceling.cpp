@@ -48,7 +48,7 @@ BOOST_AUTO_TEST_CASE(the_progress_rises_from_0_to_1)
     const auto strength_map = boost::make_assoc_property_map(strengths);
     check_progress(m, np::number_of_iterations(6));
     check_progress(m, np::block_size(1024));
-    check_progress(m, np::number_of_iterations(2).number_of_relaxation_steps(4));
+    check_progress(m, np::number_of_relaxation_steps(4));
     check_progress(m, np::curvature(Covariance_curvature()));
     check_progress(m, np::curvature(Covariance_curvature()).flow(Curvature_flow()));
     check_progress(m, np::curvature(Covariance_curvature()).block_size(2048));
