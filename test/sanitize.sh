@@ -20,7 +20,6 @@ build_and_test() { # name, flags
 for tool in "${@:-all}"; do
   case $tool in address|all)
     # frame pointers: for the stacks of what was lost
-    export LSAN_OPTIONS="suppressions=$PWD/test/support/leak_sanitizer.supp"
     build_and_test sanitize-address "-fno-omit-frame-pointer -fsanitize=address,undefined,float-cast-overflow -fno-sanitize-recover=all" ;;
   esac
   case $tool in thread|all)

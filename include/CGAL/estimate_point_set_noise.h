@@ -35,7 +35,7 @@ namespace CGAL {
    \throws std::invalid_argument if a coordinate is not finite
    \throws std::length_error if there are more than \f$2^{32}-1\f$ points
 
-   Complexity: \f$O(n \log n)\f$, that of building a kd-tree and of searching neighbors in it.
+   Complexity: \f$O(n \log n)\f$, that of sorting the points and of searching neighbors.
 
    \sa `balanced_flow_smooth_point_set()`
 */

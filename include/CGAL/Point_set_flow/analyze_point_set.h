@@ -36,7 +36,7 @@ namespace Point_set_flow {
    \throws std::invalid_argument if a coordinate is not finite or a parameter is out of its range
    \throws std::length_error if there are more than \f$2^{32}-1\f$ points
 
-   Complexity: \f$O(n \log n)\f$, that of building a kd-tree and of searching neighbors in it.
+   Complexity: \f$O(n \log n)\f$, that of sorting the points and of searching neighbors.
 */
 template <typename ConcurrencyTag, typename PointRange,
           typename NamedParameters = parameters::Default_named_parameters>

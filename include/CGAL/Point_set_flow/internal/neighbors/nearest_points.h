@@ -13,6 +13,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <vector>
 
 namespace CGAL {
 namespace Point_set_flow {
@@ -32,11 +33,16 @@ Array<std::uint32_t> nearest_points(const Neighbor_tree& tree, const Array<Point
     Candidates candidates(tree);
     Eigen::ArrayXd squared;
     while (begin < end) {
-      const double far = std::sqrt(query(places[begin]).back().squared_distance);
+      const std::vector<Neighbor>& found = query(places[begin]);
+      const double far = std::sqrt(found.back().squared_distance);
       candidates.start_box(places[begin]);
       std::size_t next = begin + 1;
       while (next < end && next < begin + group_size && candidates.grow_box(places[next], far))
         ++next;
+      if (next == begin + 1) { // there may be many points in the ball around a place far away
+        nearest[begin++] = found.front().index;
+        continue;
+      }
       const double rounding = 1e-12, across = std::sqrt(3.) * far; // the box
       candidates.collect((far + across) * (1. + rounding) + (std::numeric_limits<double>::min)(),
                          tree.points().size());

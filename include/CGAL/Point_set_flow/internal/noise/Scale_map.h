@@ -31,7 +31,7 @@ class Scale_map {
   std::vector<Local_scale> m_scales;
 
 public:
-  static constexpr int number_of_loops = 8;
+  static constexpr int number_of_loops = 9;
 
   template <typename ConcurrencyTag>
   Scale_map(const Neighbor_tree& tree, const Neighbor_graph& graph, const Array<Vector_3>& sides,
