@@ -11,6 +11,7 @@
 #include <cstdint>
 #include <limits>
 #include <optional>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -98,12 +99,14 @@ private:
     for (const std::uint32_t site : sites)
       m_place[site] = 0;
     Neighbor_graph graph;
+    // After a ring that is not certain, the others are looked at nevertheless: what is missing for them is found
+    // in the same run.
+    bool all_are_certain = true;
     std::size_t begin = 0;
     for (std::size_t ring = 0; ring < rings && begin < sites.size(); ++ring) {
       const std::size_t end = sites.size();
       graph.add(m_tree, sites.data() + begin, sites.data() + end, m_search, loops);
-      if (!is_certain(sites, begin, graph, rings - ring))
-        return std::nullopt;
+      all_are_certain = is_certain(sites, begin, graph, rings - ring) && all_are_certain;
       for (std::size_t i = begin; i < end; ++i)
         for (std::size_t j = 0; j < graph.size(i); ++j) {
           const std::uint32_t neighbor = graph.neighbors(i)[j];
@@ -116,9 +119,8 @@ private:
       std::sort(sites.begin() + std::ptrdiff_t(end), sites.end());
       begin = end;
     }
-    if (!is_certain(sites, begin, graph, std::size_t(0)))
-      return std::nullopt;
-    return graph;
+    all_are_certain = is_certain(sites, begin, graph, std::size_t(0)) && all_are_certain;
+    return all_are_certain ? std::optional<Neighbor_graph>(std::move(graph)) : std::nullopt;
   }
 };
 
