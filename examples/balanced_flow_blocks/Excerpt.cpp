@@ -40,6 +40,8 @@ void Excerpt::read(std::size_t number)
     if (m_manifest.has_normals)
       normals.emplace_back(m_records.value(i, 3), m_records.value(i, 4), m_records.value(i, 5));
     numbers.push_back(m_records.number(i));
+    if (!m_manifest.scans.empty())
+      scans.push_back(m_manifest.scan_of(numbers.back()));
   }
   m_tree.set_read(number);
 }

@@ -24,6 +24,7 @@ class Excerpt : public balanced_flow_smooth::Halo {
 public:
   std::vector<point_files::Point_3> points;
   std::vector<point_files::Vector_3> normals;
+  std::vector<std::uint32_t> scans; // empty if all are of one
   std::vector<std::uint64_t> numbers;
 
   explicit Excerpt(const Manifest& manifest)

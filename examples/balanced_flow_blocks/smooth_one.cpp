@@ -5,8 +5,10 @@
 #include "Excerpt.h"
 #include "Experience.h"
 #include "memory_use.h"
+#include "point_files/Temporary_file.h"
 
 #include <algorithm>
+#include <filesystem>
 #include <optional>
 #include <stdexcept>
 #include <string>
@@ -71,7 +73,7 @@ private:
       const Progress progress = m_progress.part(share(0.), share(1.));
       std::optional<Interrupted> interrupted;
       Smoothing_report found;
-      balanced_flow_smooth::Cloud cloud{excerpt.points, excerpt.normals, {}, {}};
+      balanced_flow_smooth::Cloud cloud{excerpt.points, excerpt.normals, {}, excerpt.scans};
       const bool is_done = balanced_flow_smooth::smooth_block(
           cloud, block_size, m_manifest.frame, excerpt, m_manifest.settings.smoothing,
           [&](double done) {
@@ -116,11 +118,8 @@ private:
     for (std::size_t i = 0; i < count; ++i) {
       for (std::size_t d = 0; d < 3; ++d) {
         result.set_value(before + i, d, cloud.points[i][int(d)]);
-        if (m_manifest.writes_normals) {
-          const bool stays =
-              balanced_flow_smooth::keeps_normal(excerpt.normals[i], m_manifest.settings.smoothing);
-          result.set_value(before + i, d + 3, (stays ? excerpt.normals : cloud.normals)[i][int(d)]);
-        }
+        if (m_manifest.writes_normals)
+          result.set_value(before + i, d + 3, cloud.normals[i][int(d)]);
       }
       result.set_number(before + i, excerpt.numbers[i]);
     }
@@ -137,6 +136,10 @@ void smooth_one(const Manifest& manifest, std::size_t block, const Progress& pro
                              std::to_string(manifest.blocks.size() - 1));
   if (Block_result::exists(manifest, block))
     return;
+  const std::filesystem::path result = manifest.result_file(block);
+  point_files::remove_abandoned(result.parent_path(), [&](const std::string& name) {
+    return name == result.filename();
+  });
   const Block& pages = manifest.blocks[block];
   Smoothing smoothing(manifest, block, progress);
   smoothing(pages.first_page, pages.first_page + pages.page_count);

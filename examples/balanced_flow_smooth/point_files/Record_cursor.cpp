@@ -69,7 +69,7 @@ const std::vector<Field>* Binary_cursor::next()
   return &m_fields;
 }
 
-std::optional<std::size_t> Binary_cursor::find_end(const std::string& bytes,
+std::optional<std::size_t> Binary_cursor::find_end(const Bytes& bytes,
                                                    const Property& property, std::size_t at,
                                                    bool swapped)
 {
