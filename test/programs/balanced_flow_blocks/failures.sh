@@ -29,7 +29,7 @@ for ((trial = 1; trial <= trials; ++trial)); do
 done
 
 # what is complete is not written again, also when others are missing
-mkdir tiles && split -n l/3 --additional-suffix=.xyz scan.xyz tiles/
+mkdir tiles && split -n l/3 --additional-suffix=.xyz scan.xyz tiles/x
 check "tiles" "$blocks" run -q --block-size 3000 tiled tiles
 identities() { stat -c '%n %i %Y %Z' tiled/smoothed/*; }
 identities > before && cp -r tiled/smoothed tiles.expected
@@ -115,7 +115,7 @@ b = bytearray(open('$1', 'rb').read())
 b[-${2:-len(b) // 2}] ^= 64
 open('$1', 'wb').write(b)"
 }
-damaged() { rm -rf damaged && cp -r whole damaged; }
+damaged() { rm -rf damaged && cp -r whole damaged && rm damaged/written; }
 damaged && rm damaged/results/* && damage damaged/blocks/0.points
 check "damaged points" fails_with 2 "0.points is damaged" "$blocks" smooth -q damaged 0
 damaged && rm damaged/results/* && truncate -s -8 damaged/blocks/0.points

@@ -72,11 +72,11 @@ for file in lines.xyz quotes.csv mesh.off text.ply two.pts view.ascii.pcd view.b
   check "$file" same_bytes $file
   check "$file, moves" bash -c "! cmp -s $file out/$file"
 done
+check "positions of scanners count" bash -c "grep -v x wall.ptx | awk 'NF == 4 && \$4 == 0.5 { print \$1, \$2, \$3 }' > wall.xyz &&
+  '$smooth' -q wall.xyz none.xyz && ! cmp -s <(cut -d' ' -f3 none.xyz) <(awk 'NF == 4 && \$4 == 0.5 { print \$3 }' out/wall.ptx)"
 size=1000 check "scans in small blocks" same_bytes scans.ptx
 check "scans, without a step" same_bytes scans.ptx --iterations 0
 check "scans, the estimator of the paper" same_bytes scans.ptx --curvature covariance --iterations 2
-check "positions of scanners count" bash -c "grep -v x wall.ptx | awk 'NF == 4 && \$4 == 0.5 { print \$1, \$2, \$3 }' > wall.xyz &&
-  '$smooth' -q wall.xyz none.xyz && ! cmp -s <(cut -d' ' -f3 none.xyz) <(awk 'NF == 4 && \$4 == 0.5 { print \$3 }' out/wall.ptx)"
 sided_points() { "$smooth" --json "$1" in.ptx | sed -n 's/.*"sided_points": \([0-9]*\).*/\1/p'; }
 check "the position of a single scanner" [ "$(sided_points scan.ptx)" -gt 2500 ]
 check "the report" bash -c "'$smooth' --json scans.ptx in.ptx | grep -E '\"(scans|sided_points|points|invalid_points)\"' > in.json &&
