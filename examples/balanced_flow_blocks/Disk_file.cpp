@@ -83,8 +83,10 @@ void remove_files(const std::filesystem::path& directory, const std::string& nam
   std::vector<std::filesystem::path> files;
   for (const auto& entry : std::filesystem::directory_iterator(directory)) {
     const std::string other = entry.path().filename().string();
-    const std::string rest = other.compare(0, name.size(), name) == 0 ? other.substr(name.size()) : "?";
-    if (rest.empty() || (rest[0] == '.' && rest.find_first_not_of("0123456789", 1) == std::string::npos))
+    const std::string rest =
+        other.compare(0, name.size(), name) == 0 ? other.substr(name.size()) : "?";
+    if (rest.empty() ||
+        (rest[0] == '.' && rest.find_first_not_of("0123456789", 1) == std::string::npos))
       files.push_back(entry.path());
   }
   for (const std::filesystem::path& file : files)

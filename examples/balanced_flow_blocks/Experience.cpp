@@ -30,7 +30,11 @@ Experience Experience::before(const Manifest& manifest, std::size_t block)
   return experience;
 }
 
-void Experience::widen() { halo_width = (std::min)(1.15 * halo_width, most); }
+void Experience::widen()
+{
+  const double most = 200.; // what is missing then is asked for where it is
+  halo_width = (std::min)(1.15 * halo_width, most);
+}
 
 void Experience::set_neighbors(std::size_t number)
 {

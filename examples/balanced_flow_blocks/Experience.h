@@ -10,9 +10,8 @@ namespace balanced_flow_blocks {
 
 /// What a block is expected to take: as the one before. No result depends on it, only time and memory.
 struct Experience {
-  double halo_width = 120.;            ///< in spacings
-  std::size_t most_neighbors = 128;    ///< of a point; the default is the most that noise leads to
-  static constexpr double most = 200.; ///< of the width
+  double halo_width = 120.;         ///< in spacings
+  std::size_t most_neighbors = 128; ///< of a point; the default is the most that noise leads to
 
   /// What the results of the blocks before this one tell, which are near it; the default if there are none.
   static Experience before(const Manifest& manifest, std::size_t block);

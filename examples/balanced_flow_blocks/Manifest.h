@@ -47,12 +47,13 @@ struct Manifest {
   Settings settings;            // those of the command `plan`; no jobs
   std::uint64_t memory = 0;     // in bytes, of one process
   std::uint64_t block_size = 0; // the largest number of points in a block
-  bool has_normals = false;    // whether points have a vector to the side on which they were measured
-  bool writes_normals = false; // whether normals are a result
+  bool has_normals = false; // whether points have a vector to the side on which they were measured
+  bool writes_normals = false;        // whether normals are a result
   std::uint64_t number_of_points = 0; // in all inputs, also those that are none
   CGAL::Point_set_flow::Coordinate_frame frame;
   std::vector<Input_file> inputs;
-  std::vector<std::uint64_t> scans; // the number of the first point of each; empty if all are of one
+  std::vector<std::uint64_t>
+      scans; // the number of the first point of each; empty if all are of one
   std::optional<std::uint64_t> sided_points; // whose side the scanner tells; empty if there is none
   std::vector<Block> blocks;
   std::vector<Page> pages;    // in the order of the blocks

@@ -60,8 +60,8 @@ bool is_same(const Manifest& a, const Manifest& b)
 {
   const Input_file &i = a.inputs.front(), &j = b.inputs.front();
   return settings_to_json(a.settings) == settings_to_json(b.settings) && a.memory == b.memory &&
-         a.block_size == b.block_size && i.path == j.path && i.size == j.size &&
-         i.time == j.time && i.count == j.count;
+         a.block_size == b.block_size && i.path == j.path && i.size == j.size && i.time == j.time &&
+         i.count == j.count;
 }
 
 /// A plan that is there already after an interruption, or a new one

@@ -21,7 +21,8 @@ namespace balanced_flow_blocks {
 class View_sides {
   class Scan_normals;
   const std::filesystem::path m_directory;
-  std::vector<std::vector<std::unique_ptr<Scan_normals>>> m_normals; // for each file and scan, null if not needed
+  std::vector<std::vector<std::unique_ptr<Scan_normals>>>
+      m_normals; // for each file and scan, null if not needed
   std::optional<std::uint64_t> m_count;
 
 public:
@@ -40,9 +41,8 @@ public:
 
   /// The sides of the points of a chunk: their normals, or what the view tells
   /// \param first the number of the first point in the file
-  std::vector<point_files::Vector_3> operator()(std::size_t file,
-                                                const point_files::Chunk_of_points& chunk,
-                                                std::uint64_t first);
+  std::vector<point_files::Vector_3>
+  operator()(std::size_t file, const point_files::Chunk_of_points& chunk, std::uint64_t first);
 
   /// Removes the directory.
   void remove();

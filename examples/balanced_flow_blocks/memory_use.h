@@ -22,9 +22,10 @@ constexpr std::uint64_t memory_of_program = std::uint64_t(64) << 20;
 std::uint64_t memory_from_text(const std::string& text);
 
 /// Points at hand when a block is smoothed
-inline std::size_t points_at_hand(std::uint64_t memory, std::size_t neighbors)
+inline std::size_t points_at_hand(std::uint64_t memory, std::size_t neighbors, bool has_normals)
 {
-  return std::size_t((memory - memory_of_program) / (220 + 6 * neighbors));
+  const std::size_t bytes = 220 + 6 * neighbors + (has_normals ? 100 : 0);
+  return std::size_t((memory - memory_of_program) / bytes);
 }
 
 /// Points of a block; nearly as many again are the halo. It is smoothed in parts if there is so much noise that
@@ -32,7 +33,7 @@ inline std::size_t points_at_hand(std::uint64_t memory, std::size_t neighbors)
 inline std::size_t points_of_block(std::uint64_t memory)
 {
   const std::size_t usual_neighbors = 40;
-  return (std::min)(points_at_hand(memory, usual_neighbors) / 2, std::size_t(1) << 30);
+  return (std::min)(points_at_hand(memory, usual_neighbors, false) / 2, std::size_t(1) << 30);
 }
 
 /// Points that are sorted at a time

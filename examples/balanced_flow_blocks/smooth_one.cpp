@@ -65,7 +65,9 @@ private:
     };
     for (int trial = 0;; ++trial) {
       const std::uint64_t at_hand = excerpt.points.size() + excerpt.number_of_required_points();
-      if (at_hand > points_at_hand(m_manifest.memory, m_experience.most_neighbors) && last - first > 1)
+      if (at_hand > points_at_hand(m_manifest.memory, m_experience.most_neighbors,
+                                   m_manifest.has_normals) &&
+          last - first > 1)
         return false;
       excerpt.read_required();
       effort.points_at_hand = (std::max)(effort.points_at_hand, excerpt.points.size());
@@ -137,9 +139,8 @@ void smooth_one(const Manifest& manifest, std::size_t block, const Progress& pro
   if (Block_result::exists(manifest, block))
     return;
   const std::filesystem::path result = manifest.result_file(block);
-  point_files::remove_abandoned(result.parent_path(), [&](const std::string& name) {
-    return name == result.filename();
-  });
+  point_files::remove_abandoned(result.parent_path(),
+                                [&](const std::string& name) { return name == result.filename(); });
   const Block& pages = manifest.blocks[block];
   Smoothing smoothing(manifest, block, progress);
   smoothing(pages.first_page, pages.first_page + pages.page_count);

@@ -105,8 +105,8 @@ Place Raw_stream::skip(const Place& place, std::size_t number_of_records) const
   const std::vector<Property>& properties = m_file.layout.properties();
   return m_file.encoding == Encoding::TEXT
              ? with_cursor(Text_cursor(place, properties, m_file.style))
-             : with_cursor(Binary_cursor(place, properties,
-                                         m_file.encoding == Encoding::SWAPPED_BINARY));
+             : with_cursor(
+                   Binary_cursor(place, properties, m_file.encoding == Encoding::SWAPPED_BINARY));
 }
 
 } // namespace point_files

@@ -18,7 +18,8 @@ namespace point_files {
 struct Chunk_of_points {
   std::vector<Point_3> points;
   std::vector<Vector_3> normals; ///< empty if there are none
-  std::vector<Vector_3> views;   ///< vectors to the scanner, see `Point_file::sides`; empty if there are none
+  std::vector<Vector_3>
+      views; ///< vectors to the scanner, see `Point_file::sides`; empty if there are none
 };
 
 /// Where the new points of a file come from

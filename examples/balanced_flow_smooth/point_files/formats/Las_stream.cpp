@@ -72,7 +72,8 @@ private:
 
 } // namespace
 
-std::unique_ptr<Streamed_file> open_las_stream(const std::filesystem::path& path, const Read_options&)
+std::unique_ptr<Streamed_file> open_las_stream(const std::filesystem::path& path,
+                                               const Read_options&)
 {
   return std::make_unique<Las_stream>(path);
 }

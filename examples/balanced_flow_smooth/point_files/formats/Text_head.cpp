@@ -126,9 +126,10 @@ char find_separator(const Bytes& bytes, const Line& header, const Line& point)
 {
   for (const char separator : separators_by_header(bytes, header)) {
     const std::vector<std::string> cells = Cells(bytes, point, separator).texts;
-    const bool is_mixed = separator == '\t' && // with blanks: then both are the same
-                          bytes.substr(point.field.begin, point.field.end - point.field.begin).find(' ') !=
-                              std::string::npos;
+    const bool is_mixed =
+        separator == '\t' && // with blanks: then both are the same
+        bytes.substr(point.field.begin, point.field.end - point.field.begin).find(' ') !=
+            std::string::npos;
     if (!is_mixed && std::count_if(cells.begin(), cells.end(), is_number) >= 3)
       return separator;
   }
@@ -160,8 +161,7 @@ std::size_t width_of(const Bytes& bytes, const Line& point, char separator)
   return cells.size();
 }
 
-void take_header(const Bytes& bytes, const First_lines& lines, std::size_t width,
-                 Text_head& head)
+void take_header(const Bytes& bytes, const First_lines& lines, std::size_t width, Text_head& head)
 {
   const std::string where = "line " + std::to_string(lines.header.number);
   if (!take_names(bytes, lines.header, head))
@@ -178,8 +178,7 @@ void take_header(const Bytes& bytes, const First_lines& lines, std::size_t width
   head.source = "the header in " + where;
 }
 
-void take_comment(const Bytes& bytes, const First_lines& lines, std::size_t width,
-                  Text_head& head)
+void take_comment(const Bytes& bytes, const First_lines& lines, std::size_t width, Text_head& head)
 {
   for (auto comment = lines.comments.rbegin(); comment != lines.comments.rend(); ++comment) {
     Text_head with_names = head;

@@ -91,9 +91,7 @@ Format off_format()
   Format format;
   format.name = format.family = "off";
   format.columns_warning = "OFF has no names for properties, they become columns";
-  format.recognizes = [](const Bytes& bytes) {
-    return is_keyword(first_word(bytes));
-  };
+  format.recognizes = [](const Bytes& bytes) { return is_keyword(first_word(bytes)); };
   set_readers<parse>(format);
   format.write = [](const Target& target, const Point_file& file) {
     target.out << (file.normals.empty() ? "OFF\n" : "NOFF\n") << file.number_of_points_to_write()
