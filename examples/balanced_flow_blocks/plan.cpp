@@ -35,11 +35,10 @@ Streamed_files open(const Plan_request& request, Manifest& manifest)
     input.path = std::filesystem::absolute(path).lexically_normal();
     input.output = output.empty() ? request.directory / "smoothed" / path.filename() : output;
     input.output = std::filesystem::absolute(input.output).lexically_normal();
-    input.look_at_file();
     const auto& file = *files.emplace_back(point_files::open_streamed_file(
         path, settings.input_format,
         {false, settings.columns, settings.invalid, settings.zeros_are_invalid}));
-    input.check_unchanged();
+    input.look_at_file();
     input.format = file.format->name;
     input.first = manifest.number_of_points;
     input.count = file.count;
