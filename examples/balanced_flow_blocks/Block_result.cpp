@@ -93,8 +93,9 @@ void Block_result::write(const Manifest& manifest, std::size_t block, const Reco
   head["has_normals"] = points.has_normals();
   head["checksum"] = Checksum::of(points.bytes(), points.byte_count());
   head["report"] = to_json(report);
-  head["points_at_hand"] = effort.points_at_hand;
-  head["trials"] = effort.trials;
+  head["effort"] = {{"points_at_hand", effort.points_at_hand},
+                    {"trials", effort.trials},
+                    {"halo_width", effort.halo_width}};
   point_files::Temporary_file file(manifest.result_file(block));
   file.stream() << head.dump() << '\n';
   file.stream().write(points.bytes(), std::streamsize(points.byte_count()));
@@ -123,6 +124,8 @@ Block_result::Block_result(const Manifest& manifest, std::size_t block)
     m_has_normals = head.at("has_normals");
     m_checksum = head.at("checksum");
     m_report = report_from_json(head.at("report"));
+    const Json& effort = head.at("effort");
+    m_effort = {effort.at("points_at_hand"), effort.at("trials"), effort.at("halo_width")};
     if (std::filesystem::file_size(m_path) != m_begin + m_count * Records::bytes_of(m_has_normals))
       throw std::runtime_error("it is not complete");
   }

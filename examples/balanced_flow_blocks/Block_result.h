@@ -28,10 +28,11 @@ public:
 
 nlohmann::ordered_json to_json(const Smoothing_report& report);
 
-/// What it took to smooth a block, for those who look into the files
+/// What it took to smooth a block
 struct Effort {
   std::size_t points_at_hand = 0; // at most
   int trials = 0;                 // until the halo was large enough
+  double halo_width = 0.;         // see `Experience`
 };
 
 /// The smoothed points of a block, in a file that begins with a line of JSON
@@ -40,6 +41,7 @@ class Block_result {
   std::uint64_t m_begin = 0, m_count = 0, m_checksum = 0, m_number_of_points;
   bool m_has_normals = false;
   Smoothing_report m_report;
+  Effort m_effort;
 
 public:
   /// Writes a result beside its place and renames it.
@@ -53,6 +55,7 @@ public:
   Block_result(const Manifest& manifest, std::size_t block);
 
   const Smoothing_report& report() const { return m_report; }
+  const Effort& effort() const { return m_effort; }
 
   /// Visits all points, with numbers that are there; throws `std::runtime_error`, at the latest at the end, if they are
   /// damaged.

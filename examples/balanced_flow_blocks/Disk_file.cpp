@@ -9,6 +9,7 @@
 #include <stdexcept>
 #include <string>
 #include <system_error>
+#include <vector>
 
 namespace balanced_flow_blocks {
 
@@ -75,6 +76,21 @@ std::uint64_t Disk_file::size() const
   if (::fstat(m_file, &status) != 0)
     fail("read", m_path);
   return std::uint64_t(status.st_size);
+}
+
+void remove_files(const std::filesystem::path& directory, const std::string& name)
+{
+  std::vector<std::filesystem::path> files;
+  for (const auto& entry : std::filesystem::directory_iterator(directory)) {
+    const std::string other = entry.path().filename().string();
+    const std::string rest =
+        other.compare(0, name.size(), name) == 0 ? other.substr(name.size()) : "?";
+    if (rest.empty() ||
+        (rest[0] == '.' && rest.find_first_not_of("0123456789", 1) == std::string::npos))
+      files.push_back(entry.path());
+  }
+  for (const std::filesystem::path& file : files)
+    std::filesystem::remove(file);
 }
 
 } // namespace balanced_flow_blocks

@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
+#include <string>
 
 namespace balanced_flow_blocks {
 
@@ -29,6 +30,9 @@ public:
   void synchronize();
   std::uint64_t size() const;
 };
+
+/// Removes the files of a directory whose names begin so, and go on with a dot and a number or not at all.
+void remove_files(const std::filesystem::path& directory, const std::string& name);
 
 } // namespace balanced_flow_blocks
 

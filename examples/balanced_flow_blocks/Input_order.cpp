@@ -4,6 +4,7 @@
 #include "Block_result.h"
 #include "Record_stream.h"
 #include "memory_use.h"
+#include "smooth.h"
 
 #include <algorithm>
 #include <cmath>
@@ -89,7 +90,8 @@ void Input_order::Points::replace(std::uint64_t first, point_files::Chunk_of_poi
     if (std::isnan(v[0]))
       continue;
     chunk.points[i] = point_files::Point_3(v[0], v[1], v[2]);
-    if (!chunk.normals.empty())
+    if (!chunk.normals.empty() &&
+        !balanced_flow_smooth::keeps_normal(chunk.normals[i], m_manifest.settings.smoothing))
       chunk.normals[i] = point_files::Vector_3(v[3], v[4], v[5]);
   }
   m_progress(double(m_first + first) / double(m_manifest.number_of_points));

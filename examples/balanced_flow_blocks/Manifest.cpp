@@ -15,7 +15,7 @@ namespace balanced_flow_blocks {
 
 namespace {
 
-constexpr int layout_version = 1; // of the working directory
+constexpr int layout_version = 2; // of the working directory
 
 typedef nlohmann::ordered_json Json;
 
@@ -110,6 +110,9 @@ Manifest Manifest::read(const std::filesystem::path& directory)
     manifest.has_normals = json.at("has_normals");
     manifest.writes_normals = json.at("writes_normals");
     manifest.number_of_points = json.at("points");
+    manifest.scans = json.at("scans").get<std::vector<std::uint64_t>>();
+    if (!json.at("sided_points").is_null())
+      manifest.sided_points = json.at("sided_points").get<std::uint64_t>();
     const auto center = json.at("frame").at("center").get<std::array<double, 3>>();
     manifest.frame.center = {center[0], center[1], center[2]};
     manifest.frame.unit = json.at("frame").at("unit");
@@ -147,6 +150,8 @@ void Manifest::write()
   json["has_normals"] = has_normals;
   json["writes_normals"] = writes_normals;
   json["points"] = number_of_points;
+  json["scans"] = scans;
+  json["sided_points"] = sided_points ? Json(*sided_points) : Json();
   json["frame"] = {{"center", {frame.center.x(), frame.center.y(), frame.center.z()}},
                    {"unit", frame.unit}};
   json["inputs"] = Json::array();

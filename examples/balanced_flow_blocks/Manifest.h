@@ -7,9 +7,11 @@
 
 #include <CGAL/Point_set_flow/Coordinate_frame.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -45,14 +47,23 @@ struct Manifest {
   Settings settings;            // those of the command `plan`; no jobs
   std::uint64_t memory = 0;     // in bytes, of one process
   std::uint64_t block_size = 0; // the largest number of points in a block
-  bool has_normals = false; // whether points have a normal, or a vector to the scanner in its place
-  bool writes_normals = false;
+  bool has_normals = false; // whether points have a vector to the side on which they were measured
+  bool writes_normals = false;        // whether normals are a result
   std::uint64_t number_of_points = 0; // in all inputs, also those that are none
   CGAL::Point_set_flow::Coordinate_frame frame;
   std::vector<Input_file> inputs;
+  std::vector<std::uint64_t>
+      scans; // the number of the first point of each; empty if all are of one
+  std::optional<std::uint64_t> sided_points; // whose side the scanner tells; empty if there is none
   std::vector<Block> blocks;
   std::vector<Page> pages;    // in the order of the blocks
   std::uint64_t checksum = 0; // of the manifest itself
+
+  /// \pre there are scans
+  std::uint32_t scan_of(std::uint64_t number) const
+  {
+    return std::uint32_t(std::upper_bound(scans.begin(), scans.end(), number) - scans.begin() - 1);
+  }
 
   static bool exists(const std::filesystem::path& directory);
   /// Throws `std::runtime_error` if there is none, or if it is damaged.

@@ -3,13 +3,17 @@
 
 #include "Block_result.h"
 #include "Directory_lock.h"
+#include "Disk_file.h"
 #include "Input_order.h"
+#include "Written_outputs.h"
 #include "point_files/Streamed_file.h"
 #include "point_files/Temporary_file.h"
 #include "point_files/point_file_io.h"
 #include "point_files/write_point_files.h"
 
+#include <map>
 #include <memory>
+#include <set>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -49,6 +53,20 @@ void write(const Manifest& manifest, const Input_file& input, const Input_order&
   }
 }
 
+/// Removes what was left behind when a process was killed.
+void remove_remains(const Manifest& manifest)
+{
+  remove_files(manifest.directory, "unjoined");
+  remove_files(manifest.directory, "joined");
+  std::map<std::filesystem::path, std::set<std::string>> names; // of each directory
+  for (const Input_file& input : manifest.inputs)
+    names[input.output.parent_path()].insert(input.output.filename());
+  for (const auto& [directory, outputs] : names)
+    point_files::remove_abandoned(directory, [&outputs = outputs](const std::string& name) {
+      return outputs.count(name) != 0;
+    });
+}
+
 } // namespace
 
 balanced_flow_smooth::Smoothing_report join(const Manifest& manifest, const Progress& progress)
@@ -59,10 +77,20 @@ balanced_flow_smooth::Smoothing_report join(const Manifest& manifest, const Prog
     sum.add(Block_result(manifest, block).report()); // before any work
   for (const Input_file& input : manifest.inputs)
     input.check_unchanged();
+  remove_remains(manifest);
+  Written_outputs written(manifest);
+  std::vector<std::size_t> missing;
+  for (std::size_t i = 0; i < manifest.inputs.size(); ++i)
+    if (!written.has(i))
+      missing.push_back(i);
+  if (missing.empty())
+    return sum.report();
   const Input_order order(manifest, progress.part(0., .5));
   const Progress writing = progress.part(.5, 1.);
-  for (const Input_file& input : manifest.inputs)
-    write(manifest, input, order, writing);
+  for (const std::size_t i : missing) {
+    write(manifest, manifest.inputs[i], order, writing);
+    written.add(i);
+  }
   return sum.report();
 }
 

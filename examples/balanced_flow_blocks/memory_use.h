@@ -11,8 +11,8 @@
 
 namespace balanced_flow_blocks {
 
-// How many points fit into how much memory, in bytes. Smoothing takes 300 to 800 bytes for each point at hand,
-// as the noise is; in a block, half as many again are the halo.
+// How many points fit into how much memory, in bytes. What a point at hand takes when a block is smoothed was measured
+// with 32 and 128 neighbors.
 
 constexpr std::uint64_t smallest_memory = std::uint64_t(256) << 20;
 constexpr std::uint64_t memory_of_program = std::uint64_t(64) << 20;
@@ -22,15 +22,18 @@ constexpr std::uint64_t memory_of_program = std::uint64_t(64) << 20;
 std::uint64_t memory_from_text(const std::string& text);
 
 /// Points at hand when a block is smoothed
-inline std::size_t points_at_hand(std::uint64_t memory)
+inline std::size_t points_at_hand(std::uint64_t memory, std::size_t neighbors, bool has_normals)
 {
-  return std::size_t((memory - memory_of_program) / 800);
+  const std::size_t bytes = 220 + 6 * neighbors + (has_normals ? 100 : 0);
+  return std::size_t((memory - memory_of_program) / bytes);
 }
 
-/// Points of a block
+/// Points of a block; nearly as many again are the halo. It is smoothed in parts if there is so much noise that
+/// more neighbors are needed.
 inline std::size_t points_of_block(std::uint64_t memory)
 {
-  return (std::min)(points_at_hand(memory) / 2, std::size_t(1) << 30);
+  const std::size_t usual_neighbors = 40;
+  return (std::min)(points_at_hand(memory, usual_neighbors, false) / 2, std::size_t(1) << 30);
 }
 
 /// Points that are sorted at a time

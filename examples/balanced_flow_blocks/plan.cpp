@@ -1,20 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "plan.h"
 
-#include "Block_writer.h"
+#include "Copying.h"
 #include "Directory_lock.h"
-#include "Frame_search.h"
-#include "Record_stream.h"
+#include "Disk_file.h"
+#include "View_sides.h"
 #include "memory_use.h"
 #include "point_files/Streamed_file.h"
+#include "point_files/Temporary_file.h"
 #include "settings_to_json.h"
 
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
-#include <cmath>
 #include <set>
-#include <sstream>
 #include <stdexcept>
 #include <string>
 #include <system_error>
@@ -23,108 +22,35 @@ namespace balanced_flow_blocks {
 
 namespace {
 
-using point_files::Invalid;
-using point_files::Point_3;
-using point_files::Vector_3;
-
-/// Copies the points of the inputs to one file.
-class Copying {
-  Manifest& m_manifest;
-  const std::vector<std::unique_ptr<point_files::Streamed_file>>& m_files;
-  Record_writer m_out;
-  Frame_search& m_frame;
-  Records m_records;
-
-public:
-  Copying(Manifest& manifest, const std::vector<std::unique_ptr<point_files::Streamed_file>>& files,
-          const std::filesystem::path& copy, Frame_search& frame)
-      : m_manifest(manifest), m_files(files), m_out(copy, manifest.has_normals), m_frame(frame),
-        m_records(manifest.has_normals)
-  {}
-
-  void operator()(const Progress& progress)
-  {
-    for (std::size_t f = 0; f < m_files.size(); ++f) {
-      Input_file& input = m_manifest.inputs[f];
-      std::uint64_t done = 0;
-      m_files[f]->for_each_chunk([&](const point_files::Chunk_of_points& chunk) {
-        m_records.resize(chunk.points.size());
-        std::size_t valid = 0;
-        for (std::size_t i = 0; i < chunk.points.size(); ++i)
-          if (is_valid(chunk.points[i], done + i, *m_files[f], input))
-            set(valid++, chunk, i, input.first + done + i);
-        m_records.resize(valid);
-        m_frame.add(m_records);
-        for (std::size_t i = 0; i < valid; ++i)
-          m_out.append(m_records, i);
-        done += chunk.points.size();
-        progress(double(input.first + done) / double(m_manifest.number_of_points));
-      });
-      if (done != input.count)
-        throw std::runtime_error(input.path.string() + " ends after " + std::to_string(done) +
-                                 " of " + std::to_string(input.count) + " points");
-      input.check_unchanged();
-    }
-    m_out.flush();
-  }
-
-private:
-  bool is_valid(const Point_3& p, std::uint64_t i, const point_files::Streamed_file& file,
-                Input_file& input) const
-  {
-    const bool is_finite = std::isfinite(p.x()) && std::isfinite(p.y()) && std::isfinite(p.z());
-    const bool with_zeros = file.zeros_are_invalid || m_manifest.settings.zeros_are_invalid;
-    if (is_finite && !(with_zeros && p == Point_3(CGAL::ORIGIN)))
-      return true;
-    const Invalid invalid = m_manifest.settings.invalid;
-    if (invalid == Invalid::ERROR || (invalid == Invalid::BY_FORMAT && !file.defines_invalid)) {
-      std::ostringstream message;
-      message << "cannot read " << input.path.string() << ": points[" << i << "] is (" << p.x()
-              << ", " << p.y() << ", " << p.z() << "), "
-              << (is_finite ? "which counts as invalid" : "but coordinates must be finite")
-              << " (--invalid keep leaves such points as they are)";
-      throw std::runtime_error(message.str());
-    }
-    ++input.invalid;
-    return false;
-  }
-
-  void set(std::size_t to, const point_files::Chunk_of_points& chunk, std::size_t i,
-           std::uint64_t number)
-  {
-    for (int d = 0; d < 3; ++d) {
-      m_records.set_value(to, std::size_t(d), chunk.points[i][d]);
-      if (m_manifest.has_normals)
-        m_records.set_value(to, std::size_t(d + 3),
-                            chunk.normals.empty() ? 0. : chunk.normals[i][d]);
-    }
-    m_records.set_number(to, number);
-  }
-};
+typedef std::vector<std::unique_ptr<point_files::Streamed_file>> Streamed_files;
 
 /// Opens all inputs and enters them into the manifest.
-std::vector<std::unique_ptr<point_files::Streamed_file>> open(const Plan_request& request,
-                                                              Manifest& manifest)
+Streamed_files open(const Plan_request& request, Manifest& manifest)
 {
   const Settings& settings = request.settings;
-  std::vector<std::unique_ptr<point_files::Streamed_file>> files;
+  Streamed_files files;
+  bool are_scans = settings.together; // or else tiles, which are parts of one
   for (const auto& [path, output] : request.files) {
     Input_file input;
     input.path = std::filesystem::absolute(path).lexically_normal();
     input.output = output.empty() ? request.directory / "smoothed" / path.filename() : output;
     input.output = std::filesystem::absolute(input.output).lexically_normal();
-    files.push_back(point_files::open_streamed_file(
+    const auto& file = *files.emplace_back(point_files::open_streamed_file(
         path, settings.input_format,
         {false, settings.columns, settings.invalid, settings.zeros_are_invalid}));
     input.look_at_file();
-    input.format = files.back()->format->name;
+    input.format = file.format->name;
     input.first = manifest.number_of_points;
-    input.count = files.back()->count;
-    manifest.has_normals = manifest.has_normals || files.back()->has_normals;
-    manifest.writes_normals = manifest.writes_normals || files.back()->has_normals;
+    input.count = file.count;
+    for (const std::uint64_t scan : file.scans)
+      manifest.scans.push_back(input.first + scan);
+    are_scans = are_scans || file.scans.size() > 1 || file.has_views;
+    manifest.writes_normals = manifest.writes_normals || file.has_normals;
     manifest.number_of_points += input.count;
     manifest.inputs.push_back(input);
   }
+  if (!are_scans || manifest.scans.size() == 1)
+    manifest.scans.clear();
   return files;
 }
 
@@ -161,6 +87,15 @@ void make_empty(const std::filesystem::path& directory)
 {
   std::filesystem::remove_all(directory);
   std::filesystem::create_directory(directory);
+}
+
+/// Removes what a run has left behind that was killed.
+void remove_remains(const std::filesystem::path& directory)
+{
+  point_files::remove_abandoned(directory, [](const std::string& name) {
+    return name == "manifest.json" || name == "pages";
+  });
+  remove_files(directory, "unsorted");
 }
 
 } // namespace
@@ -215,28 +150,31 @@ Manifest plan(const Plan_request& request, const Progress& progress)
       request.block_size != 0 ? request.block_size : points_of_block(request.memory);
   auto files = open(request, manifest);
   check_names(manifest.inputs, request.may_replace_inputs);
-  make_empty(directory / "blocks"); // of a run that was killed
+  View_sides sides(manifest, files, progress.part(0., .6));
+  manifest.has_normals = manifest.writes_normals || sides.are_any();
+  remove_remains(directory);
+  make_empty(directory / "blocks");
   make_empty(directory / "results");
-
-  const std::filesystem::path unsorted = directory / "unsorted";
-  Frame_search frame;
-  Copying(manifest, files, unsorted, frame)(progress.part(0., .4));
-  files.clear();
-  frame.end_pass();
-  const std::uint64_t count =
-      std::filesystem::file_size(unsorted) / Records::bytes_of(manifest.has_normals);
-  if (count == 0)
-    throw std::runtime_error("there are no points that are valid");
-  for (int pass = 1; pass < Frame_search::number_of_passes; ++pass) {
-    for_each_records(unsorted, manifest.has_normals, [&](const Records& records) {
-      frame.add(records);
-      progress(.4 + .1 * pass);
-    });
-    frame.end_pass();
+  {
+    const double begin = sides.are_any() ? .6 : 0., middle = begin + (1. - begin) * .4;
+    Copying copying(manifest);
+    for (std::size_t f = 0; f < files.size(); ++f) {
+      Input_file& input = manifest.inputs[f];
+      const auto share = [&](std::uint64_t number) {
+        return begin + (middle - begin) * double(number) / double(manifest.number_of_points);
+      };
+      copying.copy(
+          input, *files[f], {0, input.count},
+          [&](const point_files::Chunk_of_points& chunk, std::uint64_t first) {
+            return sides(f, chunk, first);
+          },
+          progress.part(share(input.first), share(input.first + input.count)));
+      files[f].reset();
+    }
+    manifest.sided_points = sides.count();
+    copying.sort(progress.part(middle, 1.));
   }
-  manifest.frame = frame.frame();
-  Block_writer(manifest, count, progress.part(.7, 1.)).sort(unsorted);
-  manifest.write();
+  sides.remove();
   return manifest;
 }
 

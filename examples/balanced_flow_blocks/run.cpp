@@ -7,6 +7,9 @@
 
 #include <signal.h>
 #include <sys/mman.h>
+#ifdef __linux__
+#include <sys/prctl.h>
+#endif
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -58,6 +61,16 @@ int work(const Manifest& manifest, Shared& shared)
   }
 }
 
+/// Stops this process when its parent ends, even if that is killed.
+void stop_with([[maybe_unused]] pid_t parent)
+{
+#ifdef __linux__
+  ::prctl(PR_SET_PDEATHSIG, SIGTERM);
+  if (::getppid() != parent) // before that call
+    ::_exit(2);
+#endif
+}
+
 /// The processes; those that run at the end are told to stop.
 class Workers {
   std::vector<pid_t> m_running;
@@ -66,11 +79,13 @@ public:
   void start(const Manifest& manifest, Shared& shared)
   {
     std::cerr.flush();
-    const pid_t process = ::fork();
+    const pid_t parent = ::getpid(), process = ::fork();
     if (process < 0)
       throw std::runtime_error("no process can be started");
-    if (process == 0)
+    if (process == 0) {
+      stop_with(parent);
       ::_exit(work(manifest, shared));
+    }
     m_running.push_back(process);
   }
 

@@ -26,11 +26,13 @@ void for_each_setting(Settings& settings, const Visit& visit)
   visit("sharpness_angle", s.sharpness_angle);
   visit("step_length", s.step_length);
   visit("noise", s.noise);
+  visit("fills_normals", s.fills_normals);
   visit("feature_threshold", s.feature_threshold);
   visit("filter_width", s.filter_width);
   visit("columns", settings.columns);
   visit("invalid", settings.invalid);
   visit("zeros_are_invalid", settings.zeros_are_invalid);
+  visit("together", settings.together);
 }
 
 /// To JSON

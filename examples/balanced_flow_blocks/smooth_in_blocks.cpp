@@ -8,6 +8,7 @@
 
 #include <stdlib.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <filesystem>
 #include <stdexcept>
@@ -62,7 +63,8 @@ bool smooth_in_blocks(const balanced_flow_smooth::Settings& settings,
     report.invalid_points = manifest.inputs.front().invalid;
     report.points = manifest.number_of_points - report.invalid_points;
     report.normals = manifest.writes_normals;
-    report.scans = 1;
+    report.scans = (std::max)(manifest.scans.size(), std::size_t(1));
+    scene.sided_points = manifest.sided_points;
     progress(1.);
     return true;
   }

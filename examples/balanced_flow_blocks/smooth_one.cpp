@@ -2,11 +2,13 @@
 #include "smooth_one.h"
 
 #include "Block_result.h"
-#include "Disk_file.h"
-#include "Page_tree.h"
+#include "Excerpt.h"
+#include "Experience.h"
 #include "memory_use.h"
+#include "point_files/Temporary_file.h"
 
 #include <algorithm>
+#include <filesystem>
 #include <optional>
 #include <stdexcept>
 #include <string>
@@ -16,92 +18,13 @@ namespace balanced_flow_blocks {
 
 namespace {
 
-using point_files::Point_3;
-using point_files::Vector_3;
-
-/// How far a halo reaches as a rule, in spacings; more once it was not enough
-double halo_width = 100.;
-
-/// Points that are at hand: those of some pages, and of others on which the result depends
-class Excerpt : public balanced_flow_smooth::Halo {
-  const Manifest& m_manifest;
-  Page_tree m_tree;
-  std::vector<std::size_t> m_required; // pages that are to be read
-  std::vector<char> m_is_required;
-  Records m_records;
-
-public:
-  std::vector<Point_3> points;
-  std::vector<Vector_3> normals;
-  std::vector<std::uint64_t> numbers;
-
-  explicit Excerpt(const Manifest& manifest)
-      : m_manifest(manifest), m_tree(manifest.pages), m_is_required(manifest.pages.size()),
-        m_records(manifest.has_normals)
-  {}
-
-  double distance_to_missing(const Point_3& p) const override
-  {
-    return m_tree.distance_to_unread({p.x(), p.y(), p.z()});
-  }
-  void require(const Point_3& center, double radius) override
-  {
-    require_near(std::array<double, 3>{center.x(), center.y(), center.z()}, radius);
-  }
-
-  template <typename Place>
-  void require_near(const Place& place, double distance)
-  {
-    m_tree.for_each_unread(place, distance, [&](std::size_t page) {
-      if (!m_is_required[page])
-        m_required.push_back(page);
-      m_is_required[page] = 1;
-    });
-  }
-
-  std::uint64_t number_of_required_points() const
-  {
-    std::uint64_t count = 0;
-    for (const std::size_t page : m_required)
-      count += m_manifest.pages[page].count;
-    return count;
-  }
-
-  /// Reads the pages that are required.
-  void read_required()
-  {
-    std::sort(m_required.begin(), m_required.end());
-    for (const std::size_t page : m_required)
-      if (!m_tree.is_read(page))
-        read(page);
-    m_required.clear();
-  }
-
-  void read(std::size_t number)
-  {
-    const Page& page = m_manifest.pages[number];
-    const std::filesystem::path path = m_manifest.points_file(page.block);
-    const Disk_file file(path, Disk_file::READ);
-    m_records.resize(page.count);
-    file.read(page.first * m_records.record_size(), m_records.bytes(), m_records.byte_count());
-    if (Checksum::of(m_records.bytes(), m_records.byte_count()) != page.checksum)
-      throw std::runtime_error(path.string() + " is damaged: plan again, in a new directory");
-    for (std::size_t i = 0; i < m_records.size(); ++i) {
-      points.emplace_back(m_records.value(i, 0), m_records.value(i, 1), m_records.value(i, 2));
-      if (m_manifest.has_normals)
-        normals.emplace_back(m_records.value(i, 3), m_records.value(i, 4), m_records.value(i, 5));
-      numbers.push_back(m_records.number(i));
-    }
-    m_tree.set_read(number);
-  }
-};
-
 /// Smooths the pages of a block, in parts if so many points do not fit into memory.
 class Smoothing {
   const Manifest& m_manifest;
   const Progress& m_progress;
   const double m_pages; // of the block
   std::size_t m_first = 0;
+  Experience m_experience;
 
 public:
   Records result;
@@ -111,7 +34,8 @@ public:
   Smoothing(const Manifest& manifest, std::size_t block, const Progress& progress)
       : m_manifest(manifest), m_progress(progress),
         m_pages(double(manifest.blocks[block].page_count)),
-        m_first(manifest.blocks[block].first_page), result(manifest.writes_normals)
+        m_first(manifest.blocks[block].first_page),
+        m_experience(Experience::before(manifest, block)), result(manifest.writes_normals)
   {}
 
   void operator()(std::size_t first, std::size_t last)
@@ -133,14 +57,17 @@ private:
     const double usual = usual_spacing(first, last);
     for (std::size_t page = first; page < last; ++page)
       excerpt.require_near(m_manifest.pages[page].box,
-                           halo_width * (std::min)(m_manifest.pages[page].spacing(), 2. * usual));
+                           m_experience.halo_width *
+                               (std::min)(m_manifest.pages[page].spacing(), 2. * usual));
     const std::size_t block_size = excerpt.points.size();
     const auto share = [&](double done) {
       return (double(first - m_first) + done * double(last - first)) / m_pages;
     };
     for (int trial = 0;; ++trial) {
       const std::uint64_t at_hand = excerpt.points.size() + excerpt.number_of_required_points();
-      if (at_hand > points_at_hand(m_manifest.memory) && last - first > 1)
+      if (at_hand > points_at_hand(m_manifest.memory, m_experience.most_neighbors,
+                                   m_manifest.has_normals) &&
+          last - first > 1)
         return false;
       excerpt.read_required();
       effort.points_at_hand = (std::max)(effort.points_at_hand, excerpt.points.size());
@@ -148,7 +75,7 @@ private:
       const Progress progress = m_progress.part(share(0.), share(1.));
       std::optional<Interrupted> interrupted;
       Smoothing_report found;
-      balanced_flow_smooth::Cloud cloud{excerpt.points, excerpt.normals, {}, {}};
+      balanced_flow_smooth::Cloud cloud{excerpt.points, excerpt.normals, {}, excerpt.scans};
       const bool is_done = balanced_flow_smooth::smooth_block(
           cloud, block_size, m_manifest.frame, excerpt, m_manifest.settings.smoothing,
           [&](double done) {
@@ -165,12 +92,13 @@ private:
         throw *interrupted;
       if (is_done) {
         report.add(found);
+        m_experience.set_neighbors(found.most_neighbors);
+        effort.halo_width = m_experience.halo_width;
         keep(excerpt, cloud, block_size);
         return true;
       }
-      const double most = 150.;
       if (trial == 0)
-        halo_width = (std::min)(1.15 * halo_width, most);
+        m_experience.widen();
     }
   }
 
@@ -192,11 +120,8 @@ private:
     for (std::size_t i = 0; i < count; ++i) {
       for (std::size_t d = 0; d < 3; ++d) {
         result.set_value(before + i, d, cloud.points[i][int(d)]);
-        if (m_manifest.writes_normals) {
-          const bool stays =
-              balanced_flow_smooth::keeps_normal(excerpt.normals[i], m_manifest.settings.smoothing);
-          result.set_value(before + i, d + 3, (stays ? excerpt.normals : cloud.normals)[i][int(d)]);
-        }
+        if (m_manifest.writes_normals)
+          result.set_value(before + i, d + 3, cloud.normals[i][int(d)]);
       }
       result.set_number(before + i, excerpt.numbers[i]);
     }
@@ -213,6 +138,9 @@ void smooth_one(const Manifest& manifest, std::size_t block, const Progress& pro
                              std::to_string(manifest.blocks.size() - 1));
   if (Block_result::exists(manifest, block))
     return;
+  const std::filesystem::path result = manifest.result_file(block);
+  point_files::remove_abandoned(result.parent_path(),
+                                [&](const std::string& name) { return name == result.filename(); });
   const Block& pages = manifest.blocks[block];
   Smoothing smoothing(manifest, block, progress);
   smoothing(pages.first_page, pages.first_page + pages.page_count);

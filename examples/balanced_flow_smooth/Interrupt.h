@@ -27,8 +27,17 @@ extern "C" inline void on_interrupt(int signal)
   std::signal(signal, SIG_DFL); // the second one ends the program, whatever it does
 }
 
+/// Bytes of a file that is mapped are gone: another program has shortened it, or the disk fails.
+extern "C" inline void on_lost_bytes(int)
+{
+  const char message[] = "a file was shortened by another program while it was read\n";
+  [[maybe_unused]] const auto ignored = ::write(STDERR_FILENO, message, sizeof message - 1);
+  ::_exit(2);
+}
+
 inline void listen_for_interrupts()
 {
+  std::signal(SIGBUS, on_lost_bytes);
   for (const int signal : {SIGINT, SIGTERM})
     if (std::signal(signal, on_interrupt) == SIG_IGN)
       std::signal(signal, SIG_IGN); // nohup, or a background job of a shell without job control

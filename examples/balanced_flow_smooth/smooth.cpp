@@ -6,6 +6,7 @@
 
 #include <CGAL/Iterator_range.h>
 #include <CGAL/Point_set_flow/Covariance_curvature.h>
+#include <CGAL/Point_set_flow/Tangent_plane_curvature.h>
 #include <CGAL/Point_set_flow/analyze_point_set.h>
 #include <CGAL/Point_set_flow/smooth_block.h>
 #include <CGAL/balanced_flow_smooth_point_set.h>
@@ -69,25 +70,15 @@ typedef CGAL::Iterator_range<Index> Indices;
 template <typename Run>
 auto with_parameters(const Smoothing_settings& s, const Run& run)
 {
-  const auto with_numbers = [&](const auto& flow_and_curvature) {
-    const auto with_paper = [&](const auto& own) {
-      if (s.feature_threshold && s.filter_width)
-        return run(own.feature_threshold(*s.feature_threshold).filter_width(*s.filter_width));
-      if (s.feature_threshold)
-        return run(own.feature_threshold(*s.feature_threshold));
-      if (s.filter_width)
-        return run(own.filter_width(*s.filter_width));
-      return run(own);
-    };
-    const auto own = flow_and_curvature.step_length(s.step_length).update_period(s.update_period);
-    return s.noise ? with_paper(own.noise(*s.noise)) : with_paper(own);
-  };
+  const auto own = CGAL::parameters::flow(find_flow(s.flow))
+                       .step_length(s.step_length)
+                       .update_period(s.update_period)
+                       .noise(s.noise)
+                       .feature_threshold(s.feature_threshold)
+                       .filter_width(s.filter_width);
   if (s.is_paper_estimator())
-    return with_numbers(
-        CGAL::parameters::flow(find_flow(s.flow)).curvature(flows::Covariance_curvature()));
-  if (s.flow == "balanced")
-    return with_numbers(CGAL::parameters::flow(flows::Balanced_flow()));
-  return with_numbers(CGAL::parameters::flow(find_flow(s.flow)));
+    return run(own.curvature(flows::Covariance_curvature()));
+  return run(own.curvature(flows::Tangent_plane_curvature()));
 }
 
 /// Adds those that do not depend on the settings, and those of CGAL.

@@ -32,17 +32,14 @@ typedef CGAL::Parallel_if_available_tag Concurrency_tag;
 template <typename Run>
 auto with_flow(const Parameters& p, const Run& run)
 {
-  using balanced_flow_smooth::find_flow;
+  const auto flow = CGAL::parameters::flow(balanced_flow_smooth::find_flow(p.flow));
   if (p.curvature == "covariance")
-    return run(CGAL::parameters::flow(find_flow(p.flow)).curvature(flows::Covariance_curvature()),
-               flows::Curvature_defaults());
+    return run(flow.curvature(flows::Covariance_curvature()), flows::Curvature_defaults());
   if (p.curvature != "tangent-plane")
     throw std::invalid_argument("curvature is '" + p.curvature +
                                 "', but must be 'tangent-plane' or 'covariance'");
-  const flows::Curvature_defaults defaults = flows::Tangent_plane_curvature::defaults();
-  if (p.flow == "balanced") // as a type of its own, which is faster
-    return run(CGAL::parameters::flow(flows::Balanced_flow()), defaults);
-  return run(CGAL::parameters::flow(find_flow(p.flow)), defaults);
+  return run(flow.curvature(flows::Tangent_plane_curvature()),
+             flows::Tangent_plane_curvature::defaults());
 }
 
 /// Calls `run` with all named parameters, and `k` if it is given.
@@ -68,21 +65,14 @@ void with_parameters(const Task<FT>& task, Smoothing_report& report, const Run& 
       else
         run(all);
     };
-    const auto with_noise = [&](const auto& own) {
-      if (task.noise)
-        with_cgal(own.noise(Numbers_map<double>{task.noise}));
-      else if (p.noise)
-        with_cgal(own.noise(*p.noise));
-      else
-        with_cgal(own);
-    };
     const auto own = flow.step_length(p.step_length.value_or(defaults.step_length))
                          .update_period(p.update_period)
-                         .block_size(p.block_size);
-    if (task.scans)
-      with_noise(own.scan_map(Numbers_map<std::uint32_t>{task.scans}));
+                         .block_size(p.block_size)
+                         .scan_map(Numbers_map<std::uint32_t>{task.scans});
+    if (task.noise)
+      with_cgal(own.noise(Numbers_map<double>{task.noise}));
     else
-      with_noise(own);
+      with_cgal(own.noise(p.noise));
   });
 }
 

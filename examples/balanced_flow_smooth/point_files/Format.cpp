@@ -35,7 +35,7 @@ const Format& format_of(const std::filesystem::path& path)
   throw std::runtime_error("the format \"" + extension + "\" is not known (" + known + ")");
 }
 
-const Format* format_with_magic(const std::string& bytes)
+const Format* format_with_magic(const Bytes& bytes)
 {
   for (const Format& format : all_formats())
     if (!format.magic.empty() &&
@@ -45,7 +45,7 @@ const Format* format_with_magic(const std::string& bytes)
   return nullptr;
 }
 
-const Format& format_of_bytes(const std::string& bytes)
+const Format& format_of_bytes(const Bytes& bytes)
 {
   if (const Format* format = format_with_magic(bytes))
     return *format;

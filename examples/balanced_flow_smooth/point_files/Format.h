@@ -2,6 +2,8 @@
 #ifndef POINT_FILES_FORMAT_H
 #define POINT_FILES_FORMAT_H
 
+#include "Bytes.h"
+
 #include <filesystem>
 #include <memory>
 #include <string>
@@ -40,17 +42,18 @@ struct Format {
 
   /// Whether bytes look like a file of this format: those with its magic if it has one, those without
   /// the magic of any format if not; may be null.
-  bool (*recognizes)(const std::string& bytes) = nullptr;
+  bool (*recognizes)(const Bytes& bytes) = nullptr;
 
   /// Makes a file of its bytes; null if the program was built without the library.
-  std::unique_ptr<Point_file> (*read)(std::string bytes, const Read_options& options) = nullptr;
+  std::unique_ptr<Point_file> (*read)(Bytes bytes, const Read_options& options) = nullptr;
 
   /// The same from a file on the disk, for those who need not have all of its bytes; may be null.
   std::unique_ptr<Point_file> (*read_path)(const std::filesystem::path& path,
                                            const Read_options& options) = nullptr;
 
   /// Opens a file on the disk without reading its points; null if this one does not allow it. May be null.
-  std::unique_ptr<Streamed_file> (*stream)(const std::filesystem::path& path) = nullptr;
+  std::unique_ptr<Streamed_file> (*stream)(const std::filesystem::path& path,
+                                           const Read_options& options) = nullptr;
 
   /// Writes the points, normals and columns of a file of another family.
   void (*write)(const Target& target, const Point_file& file) = nullptr;
@@ -68,11 +71,11 @@ const Format* find_format(std::string name);
 const Format& format_of(const std::filesystem::path& path);
 
 /// The format that the magic tells with which the bytes begin; null if there is none.
-const Format* format_with_magic(const std::string& bytes);
+const Format* format_with_magic(const Bytes& bytes);
 
 /// Guesses the format from how a file begins: text is XYZ if no other format recognizes it. Throws
 /// `std::runtime_error` if the bytes are no text, either.
-const Format& format_of_bytes(const std::string& bytes);
+const Format& format_of_bytes(const Bytes& bytes);
 
 /// Throws `std::runtime_error` if this build has not the library that the format needs.
 void check_support(const Format& format);

@@ -7,7 +7,7 @@
 
 namespace point_files {
 
-std::size_t size_of_mark(const std::string& bytes)
+std::size_t size_of_mark(const Bytes& bytes)
 {
   return bytes.compare(0, 3, "\xEF\xBB\xBF") == 0 ? 3 : 0;
 }
@@ -21,7 +21,7 @@ Line_reader::Line_reader(const Place& place, char separator)
 
 bool Line_reader::next_line(Field& line)
 {
-  const std::string& bytes = *m_place.bytes;
+  const Bytes& bytes = *m_place.bytes;
   if (m_place.at >= bytes.size())
     return false;
   if (m_line_feed <= m_place.at) // searched once for many lines that end with CR
@@ -39,7 +39,7 @@ bool Line_reader::next_line(Field& line)
 /// Takes comments and blanks away.
 void Line_reader::strip(Field& line) const
 {
-  const std::string& bytes = *m_place.bytes;
+  const Bytes& bytes = *m_place.bytes;
   while (line.begin != line.end && is_blank(bytes[line.begin]))
     ++line.begin;
   if (m_separator == ' ') {
@@ -95,7 +95,7 @@ void Line_reader::append_words(const Field& line, std::vector<Field>& words) con
 /// \param at goes behind the separator after it, or behind the end of the line
 Field Line_reader::next_cell(std::size_t& at, std::size_t end) const
 {
-  const std::string& bytes = *m_place.bytes;
+  const Bytes& bytes = *m_place.bytes;
   while (at != end && is_blank(bytes[at]))
     ++at;
   Field cell = {at, at};
@@ -166,7 +166,7 @@ void Line_reader::fail(const std::string& reason) const
   throw std::runtime_error("line " + std::to_string(m_place.line) + ": " + reason);
 }
 
-std::string first_word(const std::string& bytes)
+std::string first_word(const Bytes& bytes)
 {
   Line_reader lines(Place{&bytes});
   Field line;

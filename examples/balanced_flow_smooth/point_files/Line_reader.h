@@ -2,6 +2,7 @@
 #ifndef POINT_FILES_LINE_READER_H
 #define POINT_FILES_LINE_READER_H
 
+#include "Bytes.h"
 #include "Scalar.h"
 
 #include <cstddef>
@@ -17,7 +18,7 @@ struct Field {
 
 /// The content of a file, and a place in it
 struct Place {
-  const std::string* bytes;
+  const Bytes* bytes;
   std::size_t at = 0;
   std::size_t line = 0; // of text: how many are before it
 };
@@ -80,10 +81,10 @@ private:
 };
 
 /// How many bytes a byte order mark takes at the beginning of a file in UTF-8; 0 if there is none.
-std::size_t size_of_mark(const std::string& bytes);
+std::size_t size_of_mark(const Bytes& bytes);
 
 /// The first word of a file, comments left out; empty if there is none
-std::string first_word(const std::string& bytes);
+std::string first_word(const Bytes& bytes);
 
 } // namespace point_files
 

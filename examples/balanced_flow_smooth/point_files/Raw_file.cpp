@@ -25,6 +25,9 @@ Raw_file::Raw_file(Anatomy file) : m_file(std::move(file))
       m_changing.emplace_back(m_file.layout.normals()[c], c + 3);
   }
   std::sort(m_changing.begin(), m_changing.end());
+  warnings = m_file.warnings;
+  defines_invalid = m_file.defines_invalid;
+  zeros_are_invalid = m_file.zeros_are_invalid;
   load(count, m_file.layout.has_normals());
   find_sides();
   number_scans();

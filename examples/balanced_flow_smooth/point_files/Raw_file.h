@@ -40,7 +40,8 @@ struct Announcement {
 
 /// What the readers of the formats find out about the bytes of a file
 struct Anatomy {
-  std::string bytes; // all of the file
+  Bytes bytes;           // all of the file
+  std::size_t begin = 0; // of those that are written
   Encoding encoding = Encoding::TEXT;
   Text_style style;
   Layout layout;
@@ -52,6 +53,8 @@ struct Anatomy {
       rows_field; // of a grid: where the number of rows is, 1 if points are dropped
   std::vector<std::string> losses;  // what other formats can not take
   std::string obstacle_to_dropping; // why no points may be dropped; empty if they may
+  std::vector<std::string> warnings;
+  bool defines_invalid = false, zeros_are_invalid = false; // see `Point_file`
 };
 
 /// A file that is kept as its bytes, of which only the numbers that change are replaced.
@@ -69,12 +72,13 @@ public:
 
   void for_each_record(bool with_values, const Visitor& visit) const override;
   void write(const Target& target) const override;
+  std::size_t end_of_bytes() const { return m_file.bytes.size(); }
   std::vector<Property> columns() const override;
   std::vector<std::string> losses() const override;
   Scalar coordinate_type() const override { return m_file.layout.coordinate_type(); }
 
 protected:
-  const std::string& bytes() const { return m_file.bytes; }
+  const Bytes& bytes() const { return m_file.bytes; }
 
 private:
   struct Output; // what is written, and how far

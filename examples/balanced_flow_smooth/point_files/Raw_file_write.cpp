@@ -22,14 +22,14 @@ bool is_same(const Scan_frame::Triple& a, const Scan_frame::Triple& b)
 
 /// The bytes of a file on their way out, with what replaces some of them
 struct Raw_file::Output {
-  const std::string& bytes;
+  const Bytes& bytes;
   std::ostream& out;
+  std::size_t done;      // of the bytes
   std::string text = {}; // waits to be written
-  std::size_t done = 0;  // of the bytes
 
   void copy_up_to(std::size_t end)
   {
-    text.append(bytes, done, end - done);
+    text.append(bytes.data() + done, end - done);
     done = end;
     if (text.size() > (std::size_t(1) << 20))
       flush();
@@ -123,7 +123,7 @@ void Raw_file::write(const Target& target) const
 {
   if (drops_invalid && !m_file.obstacle_to_dropping.empty())
     throw std::runtime_error("no points can be dropped: " + m_file.obstacle_to_dropping);
-  Output out = {m_file.bytes, target.out};
+  Output out = {m_file.bytes, target.out, m_file.begin};
   bool has_new_normals = !normals.empty() && !m_file.layout.has_normals();
   for_each_fields([&](const auto& cursor, const std::vector<Field>& fields, std::size_t i,
                       const Block& block, std::size_t before) {

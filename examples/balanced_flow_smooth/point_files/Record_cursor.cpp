@@ -69,9 +69,8 @@ const std::vector<Field>* Binary_cursor::next()
   return &m_fields;
 }
 
-std::optional<std::size_t> Binary_cursor::find_end(const std::string& bytes,
-                                                   const Property& property, std::size_t at,
-                                                   bool swapped)
+std::optional<std::size_t> Binary_cursor::find_end(const Bytes& bytes, const Property& property,
+                                                   std::size_t at, bool swapped)
 {
   double count = 1.;
   if (property.count_type) {

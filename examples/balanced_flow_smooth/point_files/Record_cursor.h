@@ -91,7 +91,7 @@ public:
   static std::size_t end_of(const Field& field) { return field.end; }
 
   /// Where the value of a property ends that begins at `at`; nothing if it is not complete.
-  static std::optional<std::size_t> find_end(const std::string& bytes, const Property& property,
+  static std::optional<std::size_t> find_end(const Bytes& bytes, const Property& property,
                                              std::size_t at, bool swapped);
 };
 

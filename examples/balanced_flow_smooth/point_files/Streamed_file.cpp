@@ -3,7 +3,6 @@
 
 #include "point_file_io.h"
 
-#include <algorithm>
 #include <stdexcept>
 #include <utility>
 
@@ -11,34 +10,49 @@ namespace point_files {
 
 namespace {
 
-/// A file of a format that can not be streamed: all of it is in memory.
+/// A file of a format that can not be streamed: it is read as a whole whenever it is needed.
 class Whole_file : public Streamed_file {
-  std::unique_ptr<Point_file> m_file;
+  const Format* m_format;
+  Read_options m_options;
 
 public:
-  explicit Whole_file(std::unique_ptr<Point_file> file) : m_file(std::move(file))
+  Whole_file(const std::filesystem::path& file_path, const Format* of_file,
+             const Read_options& options)
+      : m_format(of_file), m_options(options)
   {
-    format = m_file->format;
-    count = m_file->points.size();
-    has_normals = !m_file->normals.empty();
-    defines_invalid = m_file->defines_invalid;
-    zeros_are_invalid = m_file->zeros_are_invalid;
-    warnings = m_file->warnings;
+    path = file_path;
+    m_options.invalid = Invalid::KEEP; // what becomes of invalid points is decided elsewhere
+    const std::unique_ptr<Point_file> file = read();
+    format = file->format;
+    count = file->points.size();
+    has_normals = !file->normals.empty();
+    has_views = !file->sides.empty();
+    defines_invalid = file->defines_invalid;
+    zeros_are_invalid = file->zeros_are_invalid;
+    warnings = file->warnings;
+    for (std::size_t i = 1; i < file->scans.size(); ++i)
+      if (file->scans[i] != file->scans[i - 1])
+        scans.push_back(i);
   }
 
   void for_each_chunk(const Visitor& visit) const override
   {
-    visit({m_file->points, m_file->normals});
+    const std::unique_ptr<Point_file> file = read();
+    visit({std::move(file->points), std::move(file->normals), std::move(file->sides)});
   }
 
   void write(const Target& target, const New_points& points) const override
   {
-    Chunk_of_points all = {std::move(m_file->points), std::move(m_file->normals)};
+    const std::unique_ptr<Point_file> file = read();
+    Chunk_of_points all = {std::move(file->points), std::move(file->normals), {}};
     points.replace(0, all);
-    m_file->points = std::move(all.points);
-    m_file->normals = std::move(all.normals);
-    write_as(*m_file, target);
+    file->points = std::move(all.points);
+    file->normals = std::move(all.normals);
+    write_as(*file, target);
   }
+
+private:
+  std::unique_ptr<Point_file> read() const { return read_point_file(path, m_format, m_options); }
 };
 
 } // namespace
@@ -49,16 +63,15 @@ std::unique_ptr<Streamed_file> open_streamed_file(const std::filesystem::path& p
   try {
     if (!format)
       format = &format_of(path);
-    check_support(*format);
-    if (!options.columns.empty() && !format->has_columns)
-      throw std::runtime_error("--columns is for text, but the format is " + format->name);
+    check_use(*format, options);
     if (!std::filesystem::is_regular_file(path))
       throw std::runtime_error(std::filesystem::exists(path) ? "this is not a regular file"
                                                              : "the file can not be opened");
     if (format->stream)
-      if (std::unique_ptr<Streamed_file> file = format->stream(path)) {
+      if (std::unique_ptr<Streamed_file> file = format->stream(path, options)) {
         if (!file->format)
           file->format = format;
+        file->path = path;
         if (file->count == 0)
           throw std::runtime_error("there are no points in it");
         return file;
@@ -67,14 +80,7 @@ std::unique_ptr<Streamed_file> open_streamed_file(const std::filesystem::path& p
   catch (const std::exception& e) {
     throw std::runtime_error("cannot read " + path.string() + ": " + e.what());
   }
-  Read_options keeps = options; // what becomes of invalid points is decided elsewhere
-  keeps.invalid = Invalid::KEEP;
-  std::unique_ptr<Point_file> file = read_point_file(path, format, keeps);
-  if (!file->sides.empty() || !file->scans.empty())
-    throw std::runtime_error("cannot read " + path.string() +
-                             ": it tells scans or positions of scanners, which are not used block by "
-                             "block; it can be smoothed without a bound of memory only");
-  return std::make_unique<Whole_file>(std::move(file));
+  return std::make_unique<Whole_file>(path, format, options);
 }
 
 } // namespace point_files

@@ -8,6 +8,7 @@
 #include <filesystem>
 #include <functional>
 #include <memory>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -17,6 +18,8 @@ namespace point_files {
 struct Chunk_of_points {
   std::vector<Point_3> points;
   std::vector<Vector_3> normals; ///< empty if there are none
+  std::vector<Vector_3>
+      views; ///< vectors to the scanner, see `Point_file::sides`; empty if there are none
 };
 
 /// Where the new points of a file come from
@@ -31,9 +34,11 @@ public:
 /// A file whose points need not be in memory at once
 class Streamed_file {
 public:
+  std::filesystem::path path;
   const Format* format = nullptr;
   std::uint64_t count = 0; ///< of points
-  bool has_normals = false;
+  bool has_normals = false, has_views = false;
+  std::vector<std::uint64_t> scans = {0}; ///< the number of the first point of each
   bool defines_invalid = false, zeros_are_invalid = false; ///< see `Point_file`
   std::vector<std::string> warnings;
 
@@ -45,6 +50,19 @@ public:
 
   /// Writes the file with new points; nothing else changes, see `Point_file::write()`.
   virtual void write(const Target& target, const New_points& points) const = 0;
+
+protected:
+  /// Calls a function that reads, and adds the name of the file to what goes wrong.
+  template <typename Read>
+  auto try_to_read(const Read& read) const
+  {
+    try {
+      return read();
+    }
+    catch (const std::exception& e) {
+      throw std::runtime_error("cannot read " + path.string() + ": " + e.what());
+    }
+  }
 };
 
 /// Opens a file without reading its points, if its format is one that allows it; else reads all of it. Throws

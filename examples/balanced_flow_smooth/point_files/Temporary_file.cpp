@@ -2,6 +2,7 @@
 #include "Temporary_file.h"
 
 #include <fcntl.h>
+#include <sys/file.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -15,6 +16,20 @@
 namespace point_files {
 
 namespace {
+
+const std::string extension = ".part";
+
+/// The name of the target of a temporary file; empty if it is none
+std::string target_of(const std::string& name)
+{
+  if (name.size() <= extension.size() ||
+      name.compare(name.size() - extension.size(), extension.size(), extension) != 0)
+    return "";
+  const std::string without = name.substr(0, name.size() - extension.size());
+  const std::size_t dot = without.find_last_not_of("0123456789");
+  const bool has_number = dot != std::string::npos && dot + 1 < without.size();
+  return has_number && without[dot] == '.' ? without.substr(0, dot) : "";
+}
 
 bool synchronize(const std::filesystem::path& path)
 {
@@ -40,23 +55,26 @@ bool exchange([[maybe_unused]] const std::filesystem::path& a,
 } // namespace
 
 Temporary_file::Temporary_file(const std::filesystem::path& target)
-    : m_target(std::filesystem::weakly_canonical(target)),
-      m_path(m_target.string() + "." + std::to_string(std::random_device()()) + ".part")
+    : m_target(std::filesystem::weakly_canonical(target))
 {
-  struct stat status;
-  const bool exists = ::stat(m_target.c_str(), &status) == 0;
-  // who may not read the old file can not read the new one while it is written
-  const int file = ::open(m_path.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC,
-                          exists ? status.st_mode & 0700 : 0666);
-  if (file < 0)
-    throw std::runtime_error("no file can be written in this directory: " +
-                             std::generic_category().message(errno));
+  struct stat old, status;
+  const bool exists = ::stat(m_target.c_str(), &old) == 0;
+  do { // until nobody has taken it for abandoned before it was locked
+    if (m_lock >= 0)
+      ::close(m_lock);
+    m_path = m_target.string() + "." + std::to_string(std::random_device()()) + extension;
+    // who may not read the old file can not read the new one while it is written
+    m_lock = ::open(m_path.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC,
+                    exists ? old.st_mode & 0700 : 0666);
+    if (m_lock < 0)
+      throw std::runtime_error("no file can be written in this directory: " +
+                               std::generic_category().message(errno));
+  } while (::flock(m_lock, LOCK_EX) == 0 && ::fstat(m_lock, &status) == 0 && status.st_nlink == 0);
   if (exists) {
     // the owner first, since it takes away permissions; who is not root keeps their own
-    [[maybe_unused]] const int ignored = ::fchown(file, status.st_uid, status.st_gid);
-    ::fchmod(file, status.st_mode & 07777);
+    [[maybe_unused]] const int ignored = ::fchown(m_lock, old.st_uid, old.st_gid);
+    ::fchmod(m_lock, old.st_mode & 07777);
   }
-  ::close(file);
   m_out.open(m_path, std::ios::binary);
 }
 
@@ -65,6 +83,7 @@ Temporary_file::~Temporary_file()
   m_out.close();
   std::error_code ignored;
   std::filesystem::remove(m_path, ignored);
+  ::close(m_lock);
 }
 
 void Temporary_file::finish()
@@ -97,6 +116,22 @@ void Temporary_file::give_back_place() noexcept
     std::filesystem::remove(m_target, ignored);
   else if (m_is_exchanged)
     std::filesystem::rename(m_path, m_target, ignored);
+}
+
+void remove_abandoned(const std::filesystem::path& directory,
+                      const std::function<bool(const std::string& name)>& is_target)
+{
+  std::error_code ignored;
+  for (const auto& entry : std::filesystem::directory_iterator(directory, ignored)) {
+    const std::string target = target_of(entry.path().filename().string());
+    if (target.empty() || !is_target(target))
+      continue;
+    const int file = ::open(entry.path().c_str(), O_WRONLY | O_NOFOLLOW | O_CLOEXEC);
+    if (file >= 0 && ::flock(file, LOCK_EX | LOCK_NB) == 0)
+      std::filesystem::remove(entry.path(), ignored);
+    if (file >= 0)
+      ::close(file);
+  }
 }
 
 } // namespace point_files

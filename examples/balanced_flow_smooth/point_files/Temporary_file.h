@@ -4,7 +4,9 @@
 
 #include <filesystem>
 #include <fstream>
+#include <functional>
 #include <ostream>
+#include <string>
 
 namespace point_files {
 
@@ -12,6 +14,7 @@ namespace point_files {
 /// else it is the old file that is removed.
 class Temporary_file {
   std::filesystem::path m_target, m_path;
+  int m_lock = -1; // the file, locked as long as this process lives
   std::ofstream m_out;
   bool m_is_finished = false;
   bool m_is_exchanged = false; // whether the old file has the path of this one now
@@ -39,6 +42,11 @@ public:
   /// Puts the target back as it was, as far as possible.
   void give_back_place() noexcept;
 };
+
+/// Removes temporary files that processes have left behind which were killed. Those in use are locked, and stay.
+/// \param is_target tells by its name whether files beside this one are meant
+void remove_abandoned(const std::filesystem::path& directory,
+                      const std::function<bool(const std::string& name)>& is_target);
 
 } // namespace point_files
 

@@ -51,30 +51,6 @@ std::string read_bytes(std::istream& in, std::size_t size, std::string bytes)
   return bytes;
 }
 
-/// Throws if the text is not one of bytes: it would pass for garbage.
-void refuse_wide_characters(const std::string& bytes)
-{
-  const auto byte = [&](std::size_t i) {
-    return i < bytes.size() ? int(static_cast<unsigned char>(bytes[i])) : -1;
-  };
-  const auto is_text = [&](std::size_t i) { return byte(i) >= '\t' && byte(i) < 127; };
-  const auto is_null = [&](std::size_t i) { return byte(i) == 0; };
-  const bool has_mark =
-      (byte(0) == 0xFF && byte(1) == 0xFE) || (byte(0) == 0xFE && byte(1) == 0xFF);
-  if (has_mark || (is_text(0) && is_null(1) && is_text(2) && is_null(3)) ||
-      (is_null(0) && is_text(1) && is_null(2) && is_text(3)))
-    throw std::runtime_error(
-        "this is text in UTF-16, which is not supported: convert it to UTF-8, for instance by "
-        "iconv -f UTF-16 -t UTF-8");
-}
-
-void check_use(const Format& format, const Read_options& options)
-{
-  check_support(format);
-  if (!options.columns.empty() && !format.has_columns)
-    throw std::runtime_error("--columns is for text, but the format is " + format.name);
-}
-
 /// Reads from a stream. Who need not have all of the bytes in memory reads a copy on the disk.
 std::unique_ptr<Point_file> read_stream(std::istream& in, std::size_t size, const Format* format,
                                         const Read_options& options)
@@ -102,7 +78,14 @@ std::unique_ptr<Point_file> read_stream(std::istream& in, std::size_t size, cons
 
 } // namespace
 
-std::unique_ptr<Point_file> read_point_bytes(std::string bytes, const Format* format,
+void check_use(const Format& format, const Read_options& options)
+{
+  check_support(format);
+  if (!options.columns.empty() && !format.has_columns)
+    throw std::runtime_error("--columns is for text, but the format is " + format.name);
+}
+
+std::unique_ptr<Point_file> read_point_bytes(Bytes bytes, const Format* format,
                                              const Read_options& options)
 {
   refuse_wide_characters(bytes);

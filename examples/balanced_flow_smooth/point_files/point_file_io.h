@@ -13,6 +13,9 @@
 
 namespace point_files {
 
+/// Throws `std::runtime_error` if a format can not be read, or not in this way.
+void check_use(const Format& format, const Read_options& options);
+
 /// Reads a point set; throws `std::runtime_error` with the reason if it can not.
 /// \param format if it is null, it is found from the name, and for standard input from the bytes
 std::unique_ptr<Point_file> read_point_file(const std::filesystem::path& path, const Format* format,
@@ -20,7 +23,7 @@ std::unique_ptr<Point_file> read_point_file(const std::filesystem::path& path, c
 
 /// The same from all bytes of a file.
 /// \param format if it is null, it is found from the bytes
-std::unique_ptr<Point_file> read_point_bytes(std::string bytes, const Format* format,
+std::unique_ptr<Point_file> read_point_bytes(Bytes bytes, const Format* format,
                                              const Read_options& options);
 
 /// Makes room for normals in a file that has none; adds a warning instead if it can not get them.

@@ -50,14 +50,7 @@ with open("mesh.ply", "wb") as out:
     for i in range(n):
         out.write(struct.pack(">Bfffh", i % 256, i / 50, random.random(), random.gauss(0, .05), -i))
     out.write(struct.pack(">Biii", 3, 0, 1, 2) * 2)
-for name, at in ("scan", 0), ("two", .01):
-    with open(f"{name}.part", "w") as out:
-        out.write("60\n50\n1 1 5\n1 0 0\n0 1 0\n0 0 1\n1 0 0 0\n0 1 0 0\n0 0 1 0\n0 0 0 1\n")
-        for i in range(3000):
-            x, y, z = i // 50 / 20 + at, i % 50 / 20 + at, random.gauss(0, .01)
-            out.write("0 0 0 0.5\n" if i % 70 == 3 else f"{x:.5f} {y:.5f} {z:.5f} 0.{i % 10}\n")
 END
-cat scan.part two.part > scan.ptx
 for file in scan.csv scan.ply scan.las mesh.ply; do
   check "$file in memory" "$smooth" -q $file expected.$file
   check "$file" "$blocks" run -q --block-size 2500 run.$file $file
@@ -65,7 +58,6 @@ for file in scan.csv scan.ply scan.las mesh.ply; do
   check "--memory, $file" env TMPDIR=. "$smooth" -q --memory 256M --block-size 2500 $file memory.$file
   check "--memory, $file, the result" cmp memory.$file expected.$file
 done
-check "scans and positions of scanners are refused" fails_with 2 "it tells scans or positions of scanners" "$blocks" run -q run.ptx scan.ptx
 check "no directory is left" [ -z "$(ls -d balanced-flow-smooth.* 2> /dev/null)" ]
 check "--memory in place" "$smooth" -q --memory 256M -i --block-size 9000 memory.scan.ply
 check "--memory with --json" bash -c "'$smooth' --memory 256M --block-size 9000 --json scan.las other.las | grep -q '\"moved\": [1-9]'"

@@ -19,7 +19,7 @@ class Las_stream : public Streamed_file {
   las::Header m_header;
 
 public:
-  explicit Las_stream(const std::filesystem::path& path) : m_input(path), m_header(m_input)
+  explicit Las_stream(const std::filesystem::path& file) : m_input(file), m_header(m_input)
   {
     format = find_format(m_header.is_compressed ? "laz" : "las"); // whatever its name
     check_support(*format);
@@ -31,7 +31,7 @@ public:
     const auto reader = las::make_reader(m_input, m_header);
     Chunk_of_points chunk;
     for (std::uint64_t i = 0; i < count;) {
-      read(*reader, i, chunk);
+      try_to_read([&] { read(*reader, i, chunk); });
       i += chunk.points.size();
       visit(chunk);
     }
@@ -48,7 +48,7 @@ public:
         reader = las::make_reader(m_input, m_header), first = 0, chunk.points.clear();
       if (i - first == chunk.points.size()) {
         first = i;
-        read(*reader, i, chunk);
+        try_to_read([&] { read(*reader, i, chunk); });
         points.replace(i, chunk);
       }
       return chunk.points[i - first];
@@ -72,7 +72,8 @@ private:
 
 } // namespace
 
-std::unique_ptr<Streamed_file> open_las_stream(const std::filesystem::path& path)
+std::unique_ptr<Streamed_file> open_las_stream(const std::filesystem::path& path,
+                                               const Read_options&)
 {
   return std::make_unique<Las_stream>(path);
 }

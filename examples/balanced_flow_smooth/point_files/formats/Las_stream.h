@@ -7,7 +7,8 @@
 namespace point_files {
 
 /// Opens a LAS or LAZ file.
-std::unique_ptr<Streamed_file> open_las_stream(const std::filesystem::path& path);
+std::unique_ptr<Streamed_file> open_las_stream(const std::filesystem::path& path,
+                                               const Read_options& options);
 
 } // namespace point_files
 

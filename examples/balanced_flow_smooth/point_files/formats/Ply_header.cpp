@@ -23,7 +23,7 @@ std::size_t Ply_element::fixed_size() const
   return size;
 }
 
-Ply_header::Ply_header(const std::string& bytes, std::size_t file_size) : end(size_of_mark(bytes))
+Ply_header::Ply_header(const Bytes& bytes) : end(size_of_mark(bytes))
 {
   bool has_format = false;
   // bytes behind the header may look like the second half of a line end, so the first line decides
@@ -54,7 +54,7 @@ Ply_header::Ply_header(const std::string& bytes, std::size_t file_size) : end(si
       has_format = true;
     }
     else if (keyword == "element")
-      read_element(line, line_begin, file_size);
+      read_element(line, line_begin, bytes.size());
     else if (keyword == "property")
       read_property(line, words);
     else if (keyword != "ply" && keyword != "comment" && keyword != "obj_info" && !keyword.empty())

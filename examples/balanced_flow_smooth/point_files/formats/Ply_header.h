@@ -33,9 +33,7 @@ struct Ply_header {
   std::size_t end = 0, number_of_lines = 0;
 
   /// Throws `std::runtime_error` if the bytes begin with none.
-  explicit Ply_header(const std::string& bytes) : Ply_header(bytes, bytes.size()) {}
-  /// The same of the first bytes of a file
-  Ply_header(const std::string& bytes, std::size_t file_size);
+  explicit Ply_header(const Bytes& bytes);
 
 private:
   void read_format(const std::string& line, std::istream& words);

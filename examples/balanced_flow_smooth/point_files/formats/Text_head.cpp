@@ -63,7 +63,7 @@ std::vector<std::string> words_of(const std::string& line)
   return words;
 }
 
-First_lines find_first_lines(const std::string& bytes)
+First_lines find_first_lines(const Bytes& bytes)
 {
   First_lines found;
   Line_reader lines(Place{&bytes});
@@ -97,7 +97,7 @@ struct Cells {
   std::vector<Field> fields;
   std::vector<std::string> texts;
 
-  Cells(const std::string& bytes, const Line& line, char separator)
+  Cells(const Bytes& bytes, const Line& line, char separator)
   {
     const Line_reader reader(Place{&bytes, line.field.begin}, separator);
     Field field = line.field;
@@ -111,7 +111,7 @@ struct Cells {
 };
 
 /// Those that split the header into names come first.
-std::string separators_by_header(const std::string& bytes, const Line& header)
+std::string separators_by_header(const Bytes& bytes, const Line& header)
 {
   std::string sorted = separators;
   if (header.number != 0)
@@ -122,14 +122,14 @@ std::string separators_by_header(const std::string& bytes, const Line& header)
 }
 
 /// The separator that makes numbers of the first point
-char find_separator(const std::string& bytes, const Line& header, const Line& point)
+char find_separator(const Bytes& bytes, const Line& header, const Line& point)
 {
   for (const char separator : separators_by_header(bytes, header)) {
     const std::vector<std::string> cells = Cells(bytes, point, separator).texts;
-    const bool is_mixed = separator == '\t' && // with blanks: then both are the same
-                          std::find(bytes.begin() + std::ptrdiff_t(point.field.begin),
-                                    bytes.begin() + std::ptrdiff_t(point.field.end),
-                                    ' ') != bytes.begin() + std::ptrdiff_t(point.field.end);
+    const bool is_mixed =
+        separator == '\t' && // with blanks: then both are the same
+        bytes.substr(point.field.begin, point.field.end - point.field.begin).find(' ') !=
+            std::string::npos;
     if (!is_mixed && std::count_if(cells.begin(), cells.end(), is_number) >= 3)
       return separator;
   }
@@ -138,7 +138,7 @@ char find_separator(const std::string& bytes, const Line& header, const Line& po
 
 /// Takes the names from a line.
 /// \return whether x, y and z are among them
-bool take_names(const std::string& bytes, const Line& line, Text_head& head)
+bool take_names(const Bytes& bytes, const Line& line, Text_head& head)
 {
   for (const char separator : head.separator + separators) {
     Cells cells(bytes, line, separator);
@@ -153,7 +153,7 @@ bool take_names(const std::string& bytes, const Line& line, Text_head& head)
 }
 
 /// How many cells the first point has; those that are empty at its end do not count.
-std::size_t width_of(const std::string& bytes, const Line& point, char separator)
+std::size_t width_of(const Bytes& bytes, const Line& point, char separator)
 {
   std::vector<std::string> cells = Cells(bytes, point, separator).texts;
   while (!cells.empty() && cells.back().empty())
@@ -161,8 +161,7 @@ std::size_t width_of(const std::string& bytes, const Line& point, char separator
   return cells.size();
 }
 
-void take_header(const std::string& bytes, const First_lines& lines, std::size_t width,
-                 Text_head& head)
+void take_header(const Bytes& bytes, const First_lines& lines, std::size_t width, Text_head& head)
 {
   const std::string where = "line " + std::to_string(lines.header.number);
   if (!take_names(bytes, lines.header, head))
@@ -179,8 +178,7 @@ void take_header(const std::string& bytes, const First_lines& lines, std::size_t
   head.source = "the header in " + where;
 }
 
-void take_comment(const std::string& bytes, const First_lines& lines, std::size_t width,
-                  Text_head& head)
+void take_comment(const Bytes& bytes, const First_lines& lines, std::size_t width, Text_head& head)
 {
   for (auto comment = lines.comments.rbegin(); comment != lines.comments.rend(); ++comment) {
     Text_head with_names = head;
@@ -199,7 +197,7 @@ void take_comment(const std::string& bytes, const First_lines& lines, std::size_
 
 } // namespace
 
-Text_head read_text_head(const std::string& bytes, const std::vector<std::string>& columns)
+Text_head read_text_head(const Bytes& bytes, const std::vector<std::string>& columns)
 {
   const First_lines lines = find_first_lines(bytes);
   Text_head head;

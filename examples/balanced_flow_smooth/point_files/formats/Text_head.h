@@ -29,7 +29,7 @@ struct Text_head {
 /// \param columns names that the user gives, which overrule those in the file
 ///
 /// Throws `std::runtime_error` if a line of names does not tell where the coordinates are.
-Text_head read_text_head(const std::string& bytes, const std::vector<std::string>& columns);
+Text_head read_text_head(const Bytes& bytes, const std::vector<std::string>& columns);
 
 } // namespace point_files
 

@@ -29,8 +29,7 @@ void Normals_guess::add(const Line_reader& lines, const std::vector<Field>& word
   m_are_possible = is_unit || length == 0. || std::isnan(length);
 }
 
-Text_parser::Text_parser(std::string bytes, const Names& columns)
-    : m_is_told_by_user(!columns.empty())
+Text_parser::Text_parser(Bytes bytes, const Names& columns) : m_is_told_by_user(!columns.empty())
 {
   m_file.bytes = std::move(bytes);
   m_head = read_text_head(m_file.bytes, columns);

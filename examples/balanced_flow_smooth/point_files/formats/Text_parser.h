@@ -37,7 +37,7 @@ public:
   typedef Names (*Default_names)(std::size_t width);
 
   /// \param columns see `read_text_head()`
-  Text_parser(std::string bytes, const Names& columns);
+  Text_parser(Bytes bytes, const Names& columns);
 
   /// Throws `std::runtime_error` if lines differ in their number of columns, or blocks from their
   /// announced size.

@@ -24,8 +24,8 @@ Format las_or_laz(const char* name)
   format.family = "las";
   format.magic = "LASF";
   format.adds_normals = false;
-  format.read = [](std::string bytes, const Read_options&) -> std::unique_ptr<Point_file> {
-    return std::make_unique<Las_file>(las::Input(std::move(bytes)));
+  format.read = [](Bytes bytes, const Read_options&) -> std::unique_ptr<Point_file> {
+    return std::make_unique<Las_file>(las::Input(std::string(bytes.view())));
   };
   format.read_path = [](const std::filesystem::path& path,
                         const Read_options&) -> std::unique_ptr<Point_file> {
@@ -38,7 +38,7 @@ Format las_or_laz(const char* name)
   return format;
 }
 
-bool is_compressed(const std::string& bytes)
+bool is_compressed(const Bytes& bytes)
 {
   return bytes.size() > place_of_format &&
          (static_cast<unsigned char>(bytes[place_of_format]) & 0x80) != 0;
@@ -49,7 +49,7 @@ bool is_compressed(const std::string& bytes)
 Format las_format()
 {
   Format format = las_or_laz("las");
-  format.recognizes = [](const std::string& bytes) { return !is_compressed(bytes); };
+  format.recognizes = [](const Bytes& bytes) { return !is_compressed(bytes); };
   return format;
 }
 

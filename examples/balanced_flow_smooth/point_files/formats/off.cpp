@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // OFF as text: points, and the faces of meshes
-#include "../Raw_file.h"
+#include "../Raw_stream.h"
 #include "../write_rows.h"
 #include "all_formats.h"
 
@@ -26,7 +26,7 @@ bool is_keyword(const std::string& word)
 
 /// "OFF", with ST, C and N before it for texture coordinates, colors and normals; the numbers of
 /// points, faces and edges; the points; the faces.
-Anatomy parse(std::string bytes)
+Anatomy parse(Bytes bytes, const Read_options&)
 {
   Anatomy file;
   file.bytes = std::move(bytes);
@@ -91,12 +91,8 @@ Format off_format()
   Format format;
   format.name = format.family = "off";
   format.columns_warning = "OFF has no names for properties, they become columns";
-  format.recognizes = [](const std::string& bytes) {
-    return is_keyword(first_word(bytes));
-  };
-  format.read = [](std::string bytes, const Read_options&) -> std::unique_ptr<Point_file> {
-    return std::make_unique<Raw_file>(parse(std::move(bytes)));
-  };
+  format.recognizes = [](const Bytes& bytes) { return is_keyword(first_word(bytes)); };
+  set_readers<parse>(format);
   format.write = [](const Target& target, const Point_file& file) {
     target.out << (file.normals.empty() ? "OFF\n" : "NOFF\n") << file.number_of_points_to_write()
                << " 0 0\n";

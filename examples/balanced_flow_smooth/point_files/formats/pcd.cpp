@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // PCD, the format of the Point Cloud Library: ascii, binary and binary_compressed
-#include "../Raw_file.h"
+#include "../Raw_stream.h"
 #include "all_formats.h"
 #include "pcd/Compressed_file.h"
 #include "pcd/Header.h"
@@ -130,45 +130,58 @@ Anatomy dissect(const pcd::Header& header, const Record_plan& plan)
   }
   if (is_moved)
     file.losses.push_back("the place of the scanner");
+  file.defines_invalid = header.rows > 1;
   return file;
 }
 
-std::unique_ptr<Point_file> read_pcd(std::string bytes, const Read_options&)
+/// The points of a file that is not compressed
+Anatomy parse(const Bytes& bytes, const pcd::Header& header)
 {
-  pcd::Header header(bytes);
-  std::string records;
   if (header.data == pcd::Data::ASCII)
     check_lines(header);
-  else if (header.data == pcd::Data::BINARY)
-    check_size(header, bytes.size());
   else
-    records = pcd::decompress(bytes, header);
+    check_size(header, bytes.size());
+  Anatomy file = dissect(header, Record_plan(header));
+  file.bytes = bytes;
   const std::size_t size_of_rest = // old files have bytes behind compressed points
       header.data == pcd::Data::BINARY
           ? bytes.size() - header.end.at - header.count * header.record_size()
           : 0;
-  const Record_plan plan(header);
-  Anatomy anatomy = dissect(header, plan);
+  if (size_of_rest != 0)
+    file.warnings.push_back(std::to_string(size_of_rest) +
+                            " bytes behind the points are kept as they are");
+  return file;
+}
+
+std::unique_ptr<Point_file> read_pcd(Bytes bytes, const Read_options&)
+{
+  pcd::Header header(bytes);
   std::unique_ptr<Raw_file> file;
   if (header.data == pcd::Data::COMPRESSED) {
+    std::string records = pcd::decompress(bytes, header);
+    Anatomy anatomy = dissect(header, Record_plan(header));
     anatomy.bytes = std::move(records);
     file = std::make_unique<pcd::Compressed_file>(std::move(bytes), std::move(anatomy),
                                                   header.leaves_out_padding);
   }
-  else {
-    anatomy.bytes = std::move(bytes);
-    file = std::make_unique<Raw_file>(std::move(anatomy));
-  }
-  file->defines_invalid = header.rows > 1;
-  if (size_of_rest != 0)
-    file->warnings.push_back(std::to_string(size_of_rest) +
-                             " bytes behind the points are kept as they are");
+  else
+    file = std::make_unique<Raw_file>(parse(bytes, header));
+  const Record_plan plan(header);
   for (auto& [role, number] : file->roles) // of fields
     number = plan.fields[number - 1] + 1;
   return file;
 }
 
-bool begins_with_header(const std::string& bytes)
+std::unique_ptr<Streamed_file> stream_pcd(const std::filesystem::path& path, const Read_options&)
+{
+  const Bytes bytes = Bytes::of_file(path);
+  const pcd::Header header(bytes);
+  if (header.data == pcd::Data::COMPRESSED)
+    return nullptr;
+  return std::make_unique<Raw_stream>(parse(bytes, header));
+}
+
+bool begins_with_header(const Bytes& bytes)
 {
   if (bytes.compare(size_of_mark(bytes), 6, "# .PCD") == 0)
     return true;
@@ -183,6 +196,7 @@ Format pcd_format()
   format.name = format.family = "pcd";
   format.recognizes = begins_with_header;
   format.read = read_pcd;
+  format.stream = stream_pcd;
   format.write = pcd::write_pcd;
   return format;
 }

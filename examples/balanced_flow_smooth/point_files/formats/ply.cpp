@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // PLY, as text or binary of either byte order
+#include "../Raw_stream.h"
 #include "../Record_cursor.h"
 #include "../write_rows.h"
 #include "Ply_header.h"
-#include "Ply_stream.h"
 #include "all_formats.h"
 
 #include <algorithm>
@@ -82,7 +82,7 @@ void take_points(const Ply_element& element, const std::string& end_of_line, con
   file.normals_header = {{element.property_ends[file.layout.last_coordinate()], lines}};
 }
 
-Anatomy parse(std::string bytes)
+Anatomy parse(Bytes bytes, const Read_options&)
 {
   Anatomy file;
   const Ply_header header(bytes);
@@ -134,14 +134,11 @@ Format ply_format()
 {
   Format format;
   format.name = format.family = "ply";
-  format.recognizes = [](const std::string& bytes) {
+  format.recognizes = [](const Bytes& bytes) {
     const std::size_t begin = size_of_mark(bytes);
     return bytes.compare(begin, 3, "ply") == 0 && bytes.find_first_of("\r\n", begin) == begin + 3;
   };
-  format.read = [](std::string bytes, const Read_options&) -> std::unique_ptr<Point_file> {
-    return std::make_unique<Raw_file>(parse(std::move(bytes)));
-  };
-  format.stream = open_ply_stream;
+  set_readers<parse>(format);
   format.write = write_ply;
   return format;
 }

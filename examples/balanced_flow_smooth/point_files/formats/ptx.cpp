@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Leica's PTX: scans that are grids of points, each with the place of its scanner
-#include "../Raw_file.h"
+#include "../Raw_stream.h"
 #include "Text_parser.h"
 #include "all_formats.h"
 
@@ -83,7 +83,7 @@ private:
   static Scan_frame::Triple triple(const std::vector<double>& n) { return {n[0], n[1], n[2]}; }
 };
 
-Anatomy parse(std::string bytes)
+Anatomy parse(Bytes bytes, const Read_options&)
 {
   Anatomy file;
   file.bytes = std::move(bytes);
@@ -107,12 +107,13 @@ Anatomy parse(std::string bytes)
   file.layout = Layout(names_of_scan_columns(width));
   file.layout_source = "the format PTX";
   file.has_types = false;
+  file.defines_invalid = file.zeros_are_invalid = true;
   file.losses = {"the grids of the scans and the places of the scanners"};
   file.obstacle_to_dropping = "each scan is a grid of points";
   return file;
 }
 
-bool begins_with_scan(const std::string& bytes)
+bool begins_with_scan(const Bytes& bytes)
 {
   try {
     Line_reader lines(Place{&bytes});
@@ -135,11 +136,7 @@ Format ptx_format()
   format.name = format.family = "ptx";
   format.recognizes = begins_with_scan;
   format.adds_normals = false;
-  format.read = [](std::string bytes, const Read_options&) -> std::unique_ptr<Point_file> {
-    auto file = std::make_unique<Raw_file>(parse(std::move(bytes)));
-    file->defines_invalid = file->zeros_are_invalid = true;
-    return file;
-  };
+  set_readers<parse>(format);
   format.write = [](const Target&, const Point_file&) {
     throw std::runtime_error("PTX is written from PTX only: other files have no grids of points");
   };

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Text with a point in each line: one reader, and formats that differ in what they mean and write
-#include "../Raw_file.h"
+#include "../Raw_stream.h"
 #include "../write_rows.h"
 #include "Text_parser.h"
 #include "all_formats.h"
@@ -18,18 +18,17 @@ namespace {
 
 typedef Text_parser::Names Names;
 
-std::unique_ptr<Point_file> read_text(std::string bytes, const Names& columns,
-                                      Names (*names)(std::size_t), const std::string& source)
+template <Names (*names)(std::size_t)>
+Anatomy parse(Bytes bytes, const Read_options& options)
 {
-  Text_parser parser(std::move(bytes), columns);
+  Text_parser parser(std::move(bytes), options.columns);
   Anatomy anatomy = parser.parse(names);
   if (anatomy.layout_source.empty())
-    anatomy.layout_source = source;
-  auto file = std::make_unique<Raw_file>(std::move(anatomy));
-  if (parser.has_unnamed_normals() && file->normals.empty())
-    file->warnings.push_back("columns 4 to 6 look like normals, but nothing says that they are, so "
-                             "they are kept: --columns x,y,z,nx,ny,nz would smooth them, too");
-  return file;
+    anatomy.layout_source = "their order";
+  if (parser.has_unnamed_normals() && !anatomy.layout.has_normals())
+    anatomy.warnings.push_back("columns 4 to 6 look like normals, but nothing says that they are, "
+                               "so they are kept: --columns x,y,z,nx,ny,nz would smooth them, too");
+  return anatomy;
 }
 
 Names points_first(std::size_t width) { return default_names(width, false); }
@@ -48,9 +47,7 @@ Format text_format(const char* name)
   Format format;
   format.name = format.family = name;
   format.has_columns = true;
-  format.read = [](std::string bytes, const Read_options& options) {
-    return read_text(std::move(bytes), options.columns, names, "their order");
-  };
+  set_readers<parse<names>>(format);
   return format;
 }
 

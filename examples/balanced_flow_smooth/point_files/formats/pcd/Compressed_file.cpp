@@ -35,7 +35,7 @@ std::string transpose(const std::string& points, const Header& header, bool to_f
 constexpr std::size_t size_of_sizes = 8;
 
 /// One of the two sizes that are before compressed points
-std::size_t get_size(const std::string& bytes, std::size_t at)
+std::size_t get_size(const Bytes& bytes, std::size_t at)
 {
   return std::size_t(from_bytes(Scalar::UINT32, bytes.data() + at, !is_little_endian()));
 }
@@ -53,7 +53,7 @@ bool has_size(const Header& header, std::size_t size)
 
 } // namespace
 
-std::string decompress(const std::string& bytes, Header& header)
+std::string decompress(const Bytes& bytes, Header& header)
 {
   const std::size_t begin = header.end.at + size_of_sizes;
   if (begin > bytes.size())
@@ -79,7 +79,7 @@ std::string decompress(const std::string& bytes, Header& header)
          bytes.substr(begin + compressed_size);
 }
 
-Compressed_file::Compressed_file(std::string compressed, Anatomy records, bool leaves_out_padding)
+Compressed_file::Compressed_file(Bytes compressed, Anatomy records, bool leaves_out_padding)
     : Raw_file(std::move(records)), m_compressed(std::move(compressed)),
       m_leaves_out_padding(leaves_out_padding)
 {}
@@ -89,11 +89,12 @@ void Compressed_file::write(const Target& target) const
   std::ostringstream out;
   Raw_file::write({out, target.path, target.format});
   const std::string records = out.str();
-  if (records == bytes()) { // others compress in other ways
-    target.out << m_compressed;
+  if (records == bytes().view()) { // others compress in other ways
+    target.out << m_compressed.view();
     return;
   }
-  Header header(records);
+  const Bytes as_bytes(records);
+  Header header(as_bytes);
   if (m_leaves_out_padding)
     header.leave_out_padding();
   const std::size_t begin = header.end.at, size = header.count * header.record_size();

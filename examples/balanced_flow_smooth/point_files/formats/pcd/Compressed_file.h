@@ -15,15 +15,15 @@ namespace point_files::pcd {
 /// Makes records of the points of a compressed file; what is before and behind them stays. Throws
 /// `std::runtime_error` if they are not as many as the header says.
 /// \param header of the file; learns whether the padding is left out
-std::string decompress(const std::string& bytes, Header& header);
+std::string decompress(const Bytes& bytes, Header& header);
 
 /// A file whose points are compressed, and were made records to be smoothed.
 class Compressed_file : public Raw_file {
-  std::string m_compressed; // as it was
+  Bytes m_compressed; // as it was
   bool m_leaves_out_padding;
 
 public:
-  Compressed_file(std::string compressed, Anatomy records, bool leaves_out_padding);
+  Compressed_file(Bytes compressed, Anatomy records, bool leaves_out_padding);
 
   void write(const Target& target) const override;
 };

@@ -26,7 +26,7 @@ bool has(const Words& words, const std::string& word)
 
 } // namespace
 
-Header::Header(const std::string& bytes) : m_bytes(&bytes)
+Header::Header(const Bytes& bytes) : m_bytes(&bytes)
 {
   read_lines();
   read_fields();

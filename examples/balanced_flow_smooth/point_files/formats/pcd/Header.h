@@ -41,7 +41,7 @@ public:
   std::optional<Field> rows_place;
 
   /// Throws `std::runtime_error` if the bytes begin with none. They are not looked at afterwards.
-  explicit Header(const std::string& bytes);
+  explicit Header(const Bytes& bytes);
 
   /// whether the points are a grid that can be taken for the image of a scanner
   bool is_image() const { return rows > 1 && count > rows; }
@@ -60,7 +60,7 @@ private:
     std::size_t number;
     std::vector<Field> words;
   };
-  const std::string* m_bytes;
+  const Bytes* m_bytes;
   std::map<std::string, Line> m_lines; // by their first words
 
   void read_lines();

@@ -76,12 +76,24 @@ void write_report(const Smoothing_report& report, const NamedParameters& np)
     static_cast<void>(report);
 }
 
+template <typename Number>
+std::optional<double> to_optional(const Number& value)
+{
+  return to_double(value);
+}
+/// An empty one is the same as no parameter: whether a number is given need not be known at compile time.
+template <typename Number>
+std::optional<double> to_optional(const std::optional<Number>& value)
+{
+  return value ? to_optional(*value) : std::nullopt;
+}
+
 /// A number, if it is given.
 template <typename NamedParameters, typename Tag>
 std::optional<double> number(const NamedParameters& np, Tag tag)
 {
   if constexpr (is_given<NamedParameters, Tag>)
-    return to_double(parameters::get_parameter(np, tag));
+    return to_optional(parameters::get_parameter(np, tag));
   else
     return std::nullopt;
 }

@@ -11,6 +11,7 @@
 #include <cstdint>
 #include <limits>
 #include <optional>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -98,12 +99,14 @@ private:
     for (const std::uint32_t site : sites)
       m_place[site] = 0;
     std::vector<Neighbor_graph> graphs;
+    // After a ring that is not certain, the others are looked at nevertheless: what is missing for them is found
+    // in the same run.
+    bool all_are_certain = true;
     std::size_t begin = 0;
     for (std::size_t ring = 0; ring < rings && begin < sites.size(); ++ring) {
       const std::size_t end = sites.size();
       graphs.emplace_back(m_tree, sites.data() + begin, end - begin, m_search, loops);
-      if (!is_certain(sites, begin, graphs.back(), rings - ring))
-        return std::nullopt;
+      all_are_certain = is_certain(sites, begin, graphs.back(), rings - ring) && all_are_certain;
       for (std::size_t i = begin; i < end; ++i) {
         const Neighbor_numbers near = graphs.back().neighbors(i - begin, sites[i]);
         for (std::size_t j = 0; j < near.size(); ++j)
@@ -116,7 +119,8 @@ private:
       std::sort(sites.begin() + std::ptrdiff_t(end), sites.end());
       begin = end;
     }
-    if (!is_certain(sites, begin, Neighbor_graph(), std::size_t(0)))
+    all_are_certain = is_certain(sites, begin, Neighbor_graph(), std::size_t(0)) && all_are_certain;
+    if (!all_are_certain)
       return std::nullopt;
     return graphs;
   }
