@@ -25,6 +25,7 @@ returned lengths must scale with the points.)
 A static member function `defaults()` may return the parameters that suit the estimator.
 
 \cgalHasModelsBegin
+\cgalHasModels{CGAL::Point_set_flow::Learned_curvature}
 \cgalHasModels{CGAL::Point_set_flow::Tangent_plane_curvature}
 \cgalHasModels{CGAL::Point_set_flow::Covariance_curvature}
 \cgalHasModelsEnd
@@ -42,6 +43,14 @@ public:
   /// farthest neighbor. `CGAL::Tag_false` if missing.
   typedef unspecified_type Stays_in_neighborhood;
 
+  /// Optional: how often `find_sheets()` is called for each point before the first step, after the tangent planes.
+  /// Each time it sees what was found of the neighbors before. 0 if missing.
+  static constexpr unsigned int number_of_sheet_rounds;
+
+  /// Optional: how often `correction()` is called for each point after the last step of a flow that declares
+  /// `PointSetFlow::Is_correctable`. 0 if missing.
+  static constexpr unsigned int number_of_corrections;
+
   /// returns the parameters that suit the estimator; optional
   static CGAL::Point_set_flow::Curvature_defaults defaults();
 
@@ -52,4 +61,14 @@ public:
   /// returns the directional curvature, a length, signed along the normal of `plane`
   double directional_curvature(const CGAL::Point_set_flow::Neighborhood_3& neighborhood,
                                const CGAL::Point_set_flow::Tangent_plane_3& plane) const;
+
+  /// returns whether the neighbors are those of two sheets, and on which one the point is.
+  /// Required with `number_of_sheet_rounds`. `neighborhood` has the normals and `Neighborhood_3::sheets()`.
+  CGAL::Point_set_flow::Sheet_evidence
+  find_sheets(const CGAL::Point_set_flow::Neighborhood_3& neighborhood, unsigned int round) const;
+
+  /// returns how far the point is to move along its normal, a length. Required with
+  /// `number_of_corrections`. `neighborhood` has the normals and `Neighborhood_3::residual()`.
+  double correction(const CGAL::Point_set_flow::Neighborhood_3& neighborhood,
+                    unsigned int round) const;
 };

@@ -14,8 +14,8 @@ For the result to scale with the data, the motion must scale with the lengths in
 
 `CGAL::Point_set_flow::Any_flow` erases the type of a flow, for example to select one at run time, and
 keeps its properties; a `std::function` does not. A model whose properties are only known at run time
-has the member functions `bool uses_prefilter() const` and `bool stays_in_neighborhood() const` instead
-of the member types.
+has the member functions `bool uses_prefilter() const`, `bool stays_in_neighborhood() const` and
+`bool is_correctable() const` instead of the member types.
 
 \cgalHasModelsBegin
 \cgalHasModels{CGAL::Point_set_flow::Curvature_flow}
@@ -36,6 +36,10 @@ public:
   /// estimator declares it too, the function guarantees that no point moves farther than the distance
   /// of its farthest neighbor. `CGAL::Tag_false` if missing.
   typedef unspecified_type Stays_in_neighborhood;
+
+  /// Optional: `CGAL::Tag_true` to declare that the flow ends where the surface is, so that an estimator that
+  /// declares `number_of_corrections` may correct the result. `CGAL::Tag_false` if missing.
+  typedef unspecified_type Is_correctable;
 
   /// returns the motion of the point `u` in one step of length 1, in the unit of the data. `g` is
   /// the diffusivity, a function of the surface variation.

@@ -3,6 +3,7 @@
 #define BOOST_TEST_MODULE estimators
 #include <boost/test/unit_test.hpp>
 
+#include "learned.h"
 #include "shapes.h"
 
 #include <CGAL/Aff_transformation_3.h>

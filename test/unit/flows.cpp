@@ -270,9 +270,10 @@ BOOST_AUTO_TEST_CASE(users_bring_their_own_flow_and_curvature)
   Points points = noisy;
   const double moved = CGAL::balanced_flow_smooth_point_set<CGAL::Parallel_if_available_tag>(
       points, 10, np::flow(Wind()).step_length(.5).number_of_iterations(4));
-  BOOST_TEST(moved == .5, boost::test_tools::tolerance(1e-12));
+  const double of_float = 1e-6; // moves are in neighborhood radii, in single precision
+  BOOST_TEST(moved == .5, boost::test_tools::tolerance(of_float));
   for (std::size_t i = 0; i < points.size(); ++i)
-    BOOST_REQUIRE(std::abs(points[i].z() - noisy[i].z() - 2.) < 1e-12);
+    BOOST_REQUIRE(std::abs(points[i].z() - noisy[i].z() - 2.) < of_float);
 
   // lengths that a flow sees are in the unit of the data, also where the core scales
   Points tiny = {{0, 0, 0}, {1e-200, 0, 0}, {0, 1e-200, 0}, {0, 0, 1e-200}};

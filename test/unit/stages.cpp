@@ -379,10 +379,15 @@ BOOST_AUTO_TEST_CASE(thin_parts_are_distinguished_from_noise)
     state.planes.assign(points.size(), Vector_3(0, 0, 1));
     state.noise.assign(points.size(), layer);
     state.part_of.assign(points.size(), 0);
-    const internal::Array<std::uint32_t> sizes =
-        internal::fit_sheets({points, graph, state}, Tangent_plane_curvature::defaults(),
-                             state.noise, false, loops)
-            .sizes;
+    const auto fit = [&](bool is_given) {
+      const internal::Surface surface{points, graph, state};
+      internal::Array<signed char> sides;
+      auto moments = internal::find_moments(surface, sides, loops);
+      internal::pool(graph, moments, loops);
+      return internal::fit_sheets(surface, moments, std::move(sides),
+                                  Tangent_plane_curvature::defaults(), state.noise, is_given, loops);
+    };
+    const internal::Array<std::uint32_t> sizes = fit(false).sizes;
     const double noise =
         std::accumulate(state.noise.begin(), state.noise.end(), 0.) / double(points.size());
     const double size = std::accumulate(sizes.begin(), sizes.end(), 0.) / double(points.size());
@@ -396,8 +401,7 @@ BOOST_AUTO_TEST_CASE(thin_parts_are_distinguished_from_noise)
     }
     // what the caller gives is not doubted
     const internal::Array<double> given = state.noise;
-    internal::fit_sheets({points, graph, state}, Tangent_plane_curvature::defaults(), state.noise,
-                         true, loops);
+    fit(true);
     BOOST_TEST((state.noise == given));
   }
 }

@@ -14,13 +14,13 @@ namespace CGAL {
 namespace Point_set_flow {
 
 /// \ingroup PkgPointSetFlowFlows
-/// Any flow, chosen at run time. It keeps what the model says of itself, `Uses_prefilter` and
-/// `Stays_in_neighborhood`, so that the result is that of the model. A `std::function` would not.
+/// Any flow, chosen at run time. It keeps what the model says of itself, `Uses_prefilter`,
+/// `Stays_in_neighborhood` and `Is_correctable`, so that the result is that of the model. A `std::function` would not.
 ///
 /// \cgalModels{PointSetFlow}
 class Any_flow {
   std::function<Vector_3(const Flow_point_3&, const Diffusivity&)> m_flow;
-  bool m_uses_prefilter, m_stays_in_neighborhood;
+  bool m_uses_prefilter, m_stays_in_neighborhood, m_is_correctable;
 
 public:
   /// constructs a flow that behaves as `flow`, which is copied
@@ -33,13 +33,17 @@ public:
             >
   Any_flow(const Flow& flow)
       : m_flow(flow), m_uses_prefilter(internal::uses_prefilter(flow)),
-        m_stays_in_neighborhood(internal::stays_in_neighborhood(flow))
+        m_stays_in_neighborhood(internal::stays_in_neighborhood(flow)),
+        m_is_correctable(internal::is_correctable(flow))
   {}
 
   /// whether the model needs the prefilter
   bool uses_prefilter() const { return m_uses_prefilter; }
   /// whether the model keeps points in their neighborhoods
   bool stays_in_neighborhood() const { return m_stays_in_neighborhood; }
+
+  /// whether an estimator may correct the result of the model
+  bool is_correctable() const { return m_is_correctable; }
 
   /// the right hand side of the model
   Vector_3 operator()(const Flow_point_3& u, const Diffusivity& g) const { return m_flow(u, g); }

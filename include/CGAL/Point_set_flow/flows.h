@@ -92,6 +92,8 @@ struct Volume_preserving_flow {
 struct Balanced_flow {
   /// `filtered_variation` is used
   typedef Tag_true Uses_prefilter;
+  /// an estimator may correct the result
+  typedef Tag_true Is_correctable;
   /// points move no farther than their farthest neighbors
   typedef Tag_true Stays_in_neighborhood;
   /// the right hand side

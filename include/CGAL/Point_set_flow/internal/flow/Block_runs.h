@@ -59,7 +59,8 @@ double total_cost(const Flow_parameters& parameters, const Flow& flow, const Cur
   return costs::analysis + (likely_size == 0 ? costs::graph : costs::adapt) +
          (uses_surface_estimate ? costs::sheets + costs::shrink : 0.) +
          steps * (planes + costs::step) +
-         (Number_of_sheet_rounds<Curvature>::value + Number_of_corrections<Curvature>::value) *
+         (Number_of_sheet_rounds<Curvature>::value +
+          (is_correctable(flow) ? Number_of_corrections<Curvature>::value : 0)) *
              costs::network +
          (parameters.number_of_relaxation_steps == 0
               ? 0.

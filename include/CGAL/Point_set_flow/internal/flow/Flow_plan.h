@@ -34,7 +34,8 @@ public:
   const bool is_k_given, is_noise_given;
   const Curvature_defaults defaults;
   const unsigned int number_of_iterations, update_period, number_of_relaxation_steps;
-  const unsigned int number_of_rounds; ///< of the estimator besides the steps
+  /// Rounds of the estimator besides the steps: before the first one and after the last one
+  const unsigned int number_of_sheet_rounds, number_of_corrections;
   const double step_length;
   const std::size_t number_of_points, number_of_distinct_points;
   const double unit; ///< the length of 1 in the core, in the unit of the data
@@ -55,8 +56,10 @@ public:
             parameters.number_of_iterations.value_or(defaults.number_of_iterations)),
         update_period(parameters.update_period),
         number_of_relaxation_steps(parameters.number_of_relaxation_steps),
-        number_of_rounds(Number_of_sheet_rounds<Curvature>::value +
-                         Number_of_corrections<Curvature>::value),
+        number_of_sheet_rounds(Number_of_sheet_rounds<Curvature>::value),
+        number_of_corrections(number_of_iterations > 0 && is_correctable(flow)
+                                  ? Number_of_corrections<Curvature>::value
+                                  : 0),
         step_length(parameters.step_length.value_or(defaults.step_length)),
         number_of_points(points.buffer().site_of.size()),
         number_of_distinct_points(points.buffer().size()), unit(unit_),
@@ -87,7 +90,7 @@ public:
     const std::size_t steps = number_of_iterations, outputs = 1;
     const std::size_t relaxation =
         number_of_relaxation_steps == 0 ? 0 : 1 + std::size_t(number_of_relaxation_steps);
-    return (uses_surface_estimate ? 2 * steps + 4 + number_of_rounds
+    return (uses_surface_estimate ? 2 * steps + 4 + number_of_sheet_rounds + number_of_corrections
                                   : (is_prefiltered ? 2 : 1) * steps) +
            relaxation + outputs;
   }

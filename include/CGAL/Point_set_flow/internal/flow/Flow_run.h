@@ -66,7 +66,7 @@ public:
   /// All steps.
   void operator()()
   {
-    if (is_corrected)
+    if (m_plan.number_of_corrections > 0)
       m_moves.keep_all();
     Array<Point_3> filtered;
     for (unsigned int t = 0; t < m_plan.number_of_iterations; ++t) {
@@ -99,7 +99,7 @@ public:
     }
     allocate_points(); // without iterations
     if constexpr (is_corrected)
-      if (m_plan.number_of_iterations > 0) {
+      if (m_plan.number_of_corrections > 0) {
         m_state.residuals = m_moves.residuals(m_state);
         correct(
             m_block.points, m_block.graph, m_state, m_curvature,

@@ -69,6 +69,29 @@ template <typename Curvature>
 struct Uses_surface_estimate<Curvature, std::void_t<typename Curvature::Uses_surface_estimate>>
     : std::bool_constant<Curvature::Uses_surface_estimate::value> {};
 
+/// Whether an estimator may correct the result of a flow. Must be declared.
+template <typename Flow, typename = void>
+struct Is_correctable : std::false_type {};
+template <typename Flow>
+struct Is_correctable<Flow, std::void_t<typename Flow::Is_correctable>>
+    : std::bool_constant<Flow::Is_correctable::value> {};
+
+template <typename Flow>
+auto is_correctable(const Flow& flow, int) -> decltype(flow.is_correctable())
+{
+  return flow.is_correctable();
+}
+template <typename Flow>
+bool is_correctable(const Flow&, long)
+{
+  return Is_correctable<Flow>::value;
+}
+template <typename Flow>
+bool is_correctable(const Flow& flow)
+{
+  return is_correctable(flow, 0);
+}
+
 /// How often an estimator corrects the result of the flow. Must be declared.
 template <typename Curvature, typename = void>
 struct Number_of_corrections : std::integral_constant<unsigned int, 0> {};
