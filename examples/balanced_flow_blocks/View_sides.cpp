@@ -123,7 +123,7 @@ public:
 
 View_sides::View_sides(const Manifest& manifest, const Streamed_files& files,
                        const Progress& progress)
-    : m_directory(manifest.directory / "sides"), m_normals(files.size())
+    : m_directory(directory(manifest.directory)), m_normals(files.size())
 {
   if (!manifest.settings.smoothing.makes_steps())
     return;

@@ -46,6 +46,11 @@ public:
 
   /// Removes the directory.
   void remove();
+
+  static std::filesystem::path directory(const std::filesystem::path& of_plan)
+  {
+    return of_plan / "sides";
+  }
 };
 
 } // namespace balanced_flow_blocks

@@ -5,17 +5,20 @@
 #include "Directory_lock.h"
 #include "Disk_file.h"
 #include "Input_order.h"
+#include "View_sides.h"
 #include "Written_outputs.h"
 #include "point_files/Streamed_file.h"
 #include "point_files/Temporary_file.h"
 #include "point_files/point_file_io.h"
 #include "point_files/write_point_files.h"
 
+#include <filesystem>
 #include <map>
 #include <memory>
 #include <set>
 #include <stdexcept>
 #include <string>
+#include <system_error>
 #include <vector>
 
 namespace balanced_flow_blocks {
@@ -58,6 +61,8 @@ void remove_remains(const Manifest& manifest)
 {
   remove_files(manifest.directory, "unjoined");
   remove_files(manifest.directory, "joined");
+  std::error_code ignored; // of a plan that was killed when it was done
+  std::filesystem::remove_all(View_sides::directory(manifest.directory), ignored);
   std::map<std::filesystem::path, std::set<std::string>> names; // of each directory
   for (const Input_file& input : manifest.inputs)
     names[input.output.parent_path()].insert(input.output.filename());

@@ -33,6 +33,7 @@ bool Line_reader::next_line(Field& line)
   if (line.end < m_line_feed && m_place.at == m_line_feed) // CR and LF
     m_place.at = (std::min)(m_line_feed + 1, bytes.size());
   ++m_place.line;
+  bytes.pass(m_place.at);
   return true;
 }
 

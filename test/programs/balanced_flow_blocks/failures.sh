@@ -44,6 +44,7 @@ check "join with a damaged list" "$blocks" join -q tiled
 
 # temporary files of killed processes are removed, and nothing else
 touch tiled/smoothed/{xaa.xyz.12.part,xaa.xyz.part,xaa.xyz.1b.part,other.xyz.12.part,notes} tiled/results/{1.result.5.part,2.result.5.part}
+mkdir -p tiled/sides/0.0/blocks
 python3 -c "
 import fcntl, time
 file = open('tiled/smoothed/xaa.xyz.34.part', 'w')
@@ -56,6 +57,7 @@ check "join beside a process" "$blocks" join -q tiled
 check "temporary files" [ "$(ls tiled/smoothed | tr '\n' ' ')" = "notes other.xyz.12.part xaa.xyz xaa.xyz.1b.part xaa.xyz.34.part xaa.xyz.part xab.xyz xac.xyz " ]
 kill $owner
 wait $owner 2> /dev/null
+check "what is left of the normals of scans" [ ! -e tiled/sides ]
 check "join after the process" "$blocks" join -q tiled
 check "its temporary file" [ ! -e tiled/smoothed/xaa.xyz.34.part ]
 rm tiled/results/1.result

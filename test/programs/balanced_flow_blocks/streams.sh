@@ -113,3 +113,20 @@ for file in ${REAL_SCANS:+"$REAL_SCANS"/scans/*.ply "$REAL_SCANS"/formats/*.las 
   size=20000 check "${file##*/}" same_bytes "$file" --invalid keep
   size=3000 check "${file##*/}, small blocks" same_bytes "$file" --invalid keep --iterations 2
 done
+
+# memory, with 300 MB of text
+if [ -n "${LARGE:-}" ]; then
+  python3 - <<'END'
+import random
+random.seed(7)
+with open("large.xyz", "w") as out:
+    for i in range(8000000):
+        out.write(f"{random.random() * 2800:.6f} {i / 2800 + random.random():.6f} {random.gauss(0, .4):.6f} {i}\n")
+END
+  check "text that is larger than the memory" python3 -c "
+import resource, subprocess, sys
+done = subprocess.run(sys.argv[1:])
+megabytes = resource.getrusage(resource.RUSAGE_CHILDREN).ru_maxrss / 1024
+print(megabytes, 'MB')
+sys.exit(done.returncode or megabytes > 256)" "$blocks" run -q --memory 256M large large.xyz
+fi
