@@ -12,6 +12,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <cstdlib>
 #include <utility>
 
 namespace CGAL {
@@ -112,23 +113,32 @@ inline signed char side_of(double height) { return height > 0. ? 1 : height < 0.
 
 /// Whether the evidence that an estimator finds is strong enough. A sheet that is overlooked costs more than
 /// one that is not there, hence less than even odds.
-inline bool is_likely(const Sheet_evidence& evidence)
+/// \param of_scans the share of the variance that the scans explain: then layers are a registration error
+inline bool is_likely(const Sheet_evidence& evidence, double of_scans)
 {
-  const float least = -1.f, least_side = 1.f; // logarithms of the odds
-  return evidence.two_sheets > least && std::abs(evidence.side) > least_side;
+  static const float least = std::getenv("LEAST") ? float(std::atof(std::getenv("LEAST"))) : -1.f, least_side = 1.f; // logarithms of the odds
+  const double explained = .25;
+  return evidence.two_sheets > least && std::abs(evidence.side) > least_side && of_scans < explained;
 }
 
-/// Whether the side of a neighbor is known. What is found must not contradict it: given normals may point into
-/// the wall.
-inline bool has_sided_neighbor(const Surface& surface, std::size_t i)
+/// Whether sides that are found at a point would contradict those of the neighbors that are known: given normals may
+/// point into the wall.
+inline bool contradicts_sides(const Surface& surface, std::size_t i)
 {
-  if (surface.state.sides.empty())
+  const Surface_state& state = surface.state;
+  if (state.sides.empty())
     return false;
   const Neighbor_numbers neighbors = surface.graph.neighbors(i);
-  for (std::size_t j = 0; j < neighbors.size(); ++j)
-    if (surface.state.is_sided(neighbors[j]))
-      return true;
-  return false;
+  std::size_t known = 0, alike = 0;
+  for (std::size_t j = 0; j < neighbors.size(); ++j) {
+    const std::uint32_t k = neighbors[j];
+    if (!state.is_sided(k))
+      continue;
+    ++known;
+    alike += !state.sheets.empty() &&
+             state.sides[k] * state.planes[k].normal() * double(state.sheets[k].side) > 0.;
+  }
+  return state.is_sided(i) || 4 * alike < 3 * known;
 }
 
 /// The number of loops of `find_moments()` and `fit_sheets()`
@@ -180,11 +190,12 @@ Sheets fit_sheets(const Surface& surface, const Array<Distance_moments>& moments
         sheets.sizes[i] = fit.size;
         holds_two_sheets = fit.holds_two_sheets;
       }
-      if (!surface.state.sheets.empty() && is_likely(surface.state.sheets[i])) {
+      if (!surface.state.sheets.empty() &&
+          is_likely(surface.state.sheets[i], local.layers.of_scans)) {
         holds_two_sheets = true;
         sheets.sides[i] = side_of(double(surface.state.sheets[i].side));
       }
-      if (!holds_two_sheets || has_sided_neighbor(surface, i))
+      if (!holds_two_sheets || contradicts_sides(surface, i))
         sheets.sides[i] = 0;
     }
   });
