@@ -94,8 +94,7 @@ BOOST_AUTO_TEST_CASE(null_normals_say_nothing)
   Normals some = scan.normals;
   for (std::size_t i = 0; i < some.size(); i += 4)
     some[i] = unknown;
-  BOOST_TEST(approach(scan, scan.smoothed(some), 2. * sigma) <
-             approach(scan, expected, 2. * sigma));
+  BOOST_TEST(approach(scan, scan.smoothed(some), 2. * sigma) < .6);
 }
 
 BOOST_AUTO_TEST_CASE(random_orientations_are_recognized)

@@ -12,7 +12,6 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <cstdlib>
 #include <utility>
 
 namespace CGAL {
@@ -116,29 +115,36 @@ inline signed char side_of(double height) { return height > 0. ? 1 : height < 0.
 /// \param of_scans the share of the variance that the scans explain: then layers are a registration error
 inline bool is_likely(const Sheet_evidence& evidence, double of_scans)
 {
-  static const float least = std::getenv("LEAST") ? float(std::atof(std::getenv("LEAST"))) : -1.f, least_side = 1.f; // logarithms of the odds
+  const float least = -1.f, least_side = 1.f; // logarithms of the odds
   const double explained = .25;
-  return evidence.two_sheets > least && std::abs(evidence.side) > least_side && of_scans < explained;
+  return evidence.two_sheets > least && std::abs(evidence.side) > least_side &&
+         of_scans < explained;
 }
 
-/// Whether sides that are found at a point would contradict those of the neighbors that are known: given normals may
-/// point into the wall.
-inline bool contradicts_sides(const Surface& surface, std::size_t i)
+/// How the sides that are found agree with those of the neighbors that are known: 1 if they are the same, -1 if
+/// they are opposite, since given normals may point into the wall, and 0 if they contradict each other or the
+/// side of the point is known itself.
+inline int agreement_of_sides(const Surface& surface, std::size_t i)
 {
   const Surface_state& state = surface.state;
   if (state.sides.empty())
-    return false;
+    return 1;
   const Neighbor_numbers neighbors = surface.graph.neighbors(i);
   std::size_t known = 0, alike = 0;
   for (std::size_t j = 0; j < neighbors.size(); ++j) {
     const std::uint32_t k = neighbors[j];
     if (!state.is_sided(k))
       continue;
+    if (state.sheets.empty())
+      return 0;
+    if (!is_likely(state.sheets[k], 0.))
+      continue;
     ++known;
-    alike += !state.sheets.empty() &&
-             state.sides[k] * state.planes[k].normal() * double(state.sheets[k].side) > 0.;
+    alike += state.sides[k] * state.planes[k].normal() * double(state.sheets[k].side) > 0.;
   }
-  return state.is_sided(i) || 4 * alike < 3 * known;
+  if (state.is_sided(i))
+    return 0;
+  return 4 * alike >= 3 * known ? 1 : 4 * alike <= known ? -1 : 0;
 }
 
 /// The number of loops of `find_moments()` and `fit_sheets()`
@@ -195,8 +201,8 @@ Sheets fit_sheets(const Surface& surface, const Array<Distance_moments>& moments
         holds_two_sheets = true;
         sheets.sides[i] = side_of(double(surface.state.sheets[i].side));
       }
-      if (!holds_two_sheets || contradicts_sides(surface, i))
-        sheets.sides[i] = 0;
+      const int sign = holds_two_sheets ? agreement_of_sides(surface, i) : 0;
+      sheets.sides[i] = static_cast<signed char>(sign * sheets.sides[i]);
     }
   });
   return sheets;
