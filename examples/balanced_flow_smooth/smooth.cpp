@@ -6,6 +6,7 @@
 
 #include <CGAL/Iterator_range.h>
 #include <CGAL/Point_set_flow/Covariance_curvature.h>
+#include <CGAL/Point_set_flow/Learned_curvature.h>
 #include <CGAL/Point_set_flow/Tangent_plane_curvature.h>
 #include <CGAL/Point_set_flow/analyze_point_set.h>
 #include <CGAL/Point_set_flow/smooth_block.h>
@@ -78,7 +79,9 @@ auto with_parameters(const Smoothing_settings& s, const Run& run)
                        .filter_width(s.filter_width);
   if (s.is_paper_estimator())
     return run(own.curvature(flows::Covariance_curvature()));
-  return run(own.curvature(flows::Tangent_plane_curvature()));
+  if (s.curvature == "tangent-plane")
+    return run(own.curvature(flows::Tangent_plane_curvature()));
+  return run(own.curvature(flows::Learned_curvature()));
 }
 
 /// Adds those that do not depend on the settings, and those of CGAL.

@@ -7,6 +7,7 @@
 
 #include <CGAL/Iterator_range.h>
 #include <CGAL/Point_set_flow/Covariance_curvature.h>
+#include <CGAL/Point_set_flow/Learned_curvature.h>
 #include <CGAL/Point_set_flow/Tangent_plane_curvature.h>
 #include <CGAL/Point_set_flow/analyze_point_set.h>
 #include <CGAL/Simple_cartesian.h>
@@ -35,11 +36,13 @@ auto with_flow(const Parameters& p, const Run& run)
   const auto flow = CGAL::parameters::flow(balanced_flow_smooth::find_flow(p.flow));
   if (p.curvature == "covariance")
     return run(flow.curvature(flows::Covariance_curvature()), flows::Curvature_defaults());
-  if (p.curvature != "tangent-plane")
+  const flows::Curvature_defaults defaults = flows::Learned_curvature::defaults();
+  if (p.curvature == "tangent-plane")
+    return run(flow.curvature(flows::Tangent_plane_curvature()), defaults);
+  if (p.curvature != "learned")
     throw std::invalid_argument("curvature is '" + p.curvature +
-                                "', but must be 'tangent-plane' or 'covariance'");
-  return run(flow.curvature(flows::Tangent_plane_curvature()),
-             flows::Tangent_plane_curvature::defaults());
+                                "', but must be 'learned', 'tangent-plane' or 'covariance'");
+  return run(flow.curvature(flows::Learned_curvature()), defaults);
 }
 
 /// Calls `run` with all named parameters, and `k` if it is given.

@@ -94,13 +94,13 @@ def test_scans_that_overlap_come_together():
 def test_each_flow_and_estimator():
     points = cube(4000)
     flows = ("balanced", "volume-preserving", "well-posed", "anisotropic", "curvature")
-    for curvature in ("tangent-plane", "covariance"):
+    for curvature in ("learned", "tangent-plane", "covariance"):
         results = {flow: bf.smooth(points, flow=flow, curvature=curvature).tobytes() for flow in flows}
-        if curvature == "tangent-plane":  # which has no prefilter
+        if curvature != "covariance":  # the others have no prefilter
             assert results.pop("well-posed") == results["anisotropic"]
         assert len(set(results.values())) == len(results)
         assert points.tobytes() not in results.values()
-    assert bf.smooth(points, flow="balanced", curvature="tangent-plane").tobytes() == bf.smooth(points).tobytes()
+    assert bf.smooth(points, flow="balanced", curvature="learned").tobytes() == bf.smooth(points).tobytes()
 
 
 @pytest.mark.parametrize("dtype", DTYPES)

@@ -6,7 +6,7 @@
 #include "point_files/Layout.h"
 
 #include <CGAL/Point_set_flow/Covariance_curvature.h>
-#include <CGAL/Point_set_flow/Tangent_plane_curvature.h>
+#include <CGAL/Point_set_flow/Learned_curvature.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -121,7 +121,7 @@ void Command_line::set_smoothing()
   s.fills_normals = m_settings.normals;
   const flows::Curvature_defaults defaults = s.is_paper_estimator()
                                                  ? flows::Curvature_defaults()
-                                                 : flows::Tangent_plane_curvature::defaults();
+                                                 : flows::Learned_curvature::defaults();
   if (m_k != 0)
     s.k = unsigned(m_k);
   s.iterations = has("iterations") ? unsigned(m_iterations) : defaults.number_of_iterations;

@@ -34,7 +34,7 @@ const std::map<std::string, std::vector<std::string>>& choices()
 {
   static const std::map<std::string, std::vector<std::string>> table = {
       {"flow", {"curvature", "anisotropic", "well-posed", "volume-preserving", "balanced"}},
-      {"curvature", {"tangent-plane", "covariance"}},
+      {"curvature", {"learned", "tangent-plane", "covariance"}},
       {"format", names_of_formats()},
       {"output-format", names_of_formats()},
       {"invalid", {"keep", "drop", "error"}},
@@ -109,7 +109,7 @@ void Command_line::add_smoothing_options(Option_group& group)
     ("flow", options::value(&s.flow)->value_name("FLOW"),
      "curvature, anisotropic, well-posed, volume-preserving or balanced, which is the default")
     ("curvature", options::value(&s.curvature)->value_name("ESTIMATOR"),
-     "tangent-plane, which is the default, or covariance, the estimator of the paper")
+     "learned, which is the default; tangent-plane, the same without what is learned; or covariance, that of the paper")
     ("threads", options::value(&m_threads)->value_name("N"), "number of threads, 0: all, which is the default");
 }
 

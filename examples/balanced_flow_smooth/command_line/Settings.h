@@ -14,7 +14,7 @@ namespace balanced_flow_smooth {
 
 /// How to smooth; what is empty is chosen from the data
 struct Smoothing_settings {
-  std::string flow = "balanced", curvature = "tangent-plane";
+  std::string flow = "balanced", curvature = "learned";
   std::optional<unsigned int> k;
   unsigned int iterations = 0, update_period = 4, relaxation_steps = 0;
   double neighbor_radius = 0., sharpness_angle = 0., step_length = 0.;

@@ -25,7 +25,7 @@ class Canceled(Exception):
 def smooth(points, normals=None, k=None, noise=None, *, scans=None, constrained=None,
            neighbor_radius=0.0, number_of_iterations=None, number_of_relaxation_steps=0,
            sharpness_angle=None, step_length=None, update_period=4, flow="balanced",
-           curvature="tangent-plane", block_size=4194304, threads=None, callback=None, out=None, out_normals=None, return_report=False):
+           curvature="learned", block_size=4194304, threads=None, callback=None, out=None, out_normals=None, return_report=False):
     """Denoise a point set.
 
     Parameters
@@ -73,7 +73,8 @@ def smooth(points, normals=None, k=None, noise=None, *, scans=None, constrained=
     flow : str
         'balanced' (the default), 'volume-preserving', 'well-posed', 'anisotropic' or 'curvature'.
     curvature : str
-        The estimator: 'tangent-plane' (the default), or 'covariance', that of the paper.
+        The estimator: 'learned' (the default), 'tangent-plane', the same without what is learned, or 'covariance',
+        that of the paper.
     block_size : int
         The number of points that are smoothed at a time, by default 4194304. It bounds the memory, and
         does not change the result.
@@ -129,7 +130,7 @@ def smooth(points, normals=None, k=None, noise=None, *, scans=None, constrained=
 def analyze(points, normals=None, k=None, noise=None, *, scans=None, constrained=None,
             neighbor_radius=0.0, number_of_iterations=None, number_of_relaxation_steps=0,
             sharpness_angle=None, step_length=None, update_period=4, flow="balanced",
-            curvature="tangent-plane", block_size=4194304, threads=None, callback=None):
+            curvature="learned", block_size=4194304, threads=None, callback=None):
     """Report what `smooth` would find and use, without moving any point.
 
     Parameters

@@ -8,7 +8,7 @@ from numpy.typing import ArrayLike, NDArray
 _Array = NDArray[Any]  # of float64 or float32, as the points
 _Callback = Callable[[float], object]
 _Flow = Literal["balanced", "volume-preserving", "well-posed", "anisotropic", "curvature"]
-_Curvature = Literal["tangent-plane", "covariance"]
+_Curvature = Literal["learned", "tangent-plane", "covariance"]
 
 class Canceled(Exception): ...
 

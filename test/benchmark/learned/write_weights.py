@@ -8,7 +8,7 @@ import argparse
 
 
 def array(name, files):
-    rounds = [[f"{float(x):.5g}" for x in open(f).read().split()] for f in files]
+    rounds = [[f"{float(x):.4g}" for x in open(f).read().split()] for f in files]
     count = len(rounds[0]) if rounds else 1
     print(f"inline constexpr unsigned int number_of_{name}_rounds = {len(rounds)};")
     print(f"inline constexpr float {name}_weights[{max(1, len(rounds))}][{count}] = {{")
@@ -16,7 +16,7 @@ def array(name, files):
         line = "  {"
         for x in numbers:
             x += ("" if "." in x or "e" in x else ".") + "f,"
-            if len(line) + len(x) > 118:
+            if len(line) + len(x) > 230:
                 print(line)
                 line = "   "
             line += x
