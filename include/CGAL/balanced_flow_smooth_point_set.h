@@ -21,8 +21,8 @@ namespace CGAL {
    slowed down at features that the noise does not explain, and is drawn back there to the
    reference: the input, replaced by the points every `update_period` steps.
 
-   The directional curvature and the normals are those of `Point_set_flow::Tangent_plane_curvature`,
-   which preserves sharp features and does not shrink curved surfaces. The noise (unless given), the
+   The directional curvature and the normals are those of `Point_set_flow::Learned_curvature`, which
+   preserves sharp features and thin walls and does not shrink curved surfaces. The noise (unless given), the
    spacing, the neighborhood sizes and \f$K\f$ that suit them, and where the surface is thin are
    found around each point. The function can replace `CGAL::jet_smooth_point_set()` and
    `CGAL::bilateral_smooth_point_set()`; normals are not needed.
@@ -149,7 +149,7 @@ namespace CGAL {
        \cgalParamDescription{(*) the estimator; the paper's is
          `Point_set_flow::Covariance_curvature`}
        \cgalParamType{a model of `PointSetCurvature`}
-       \cgalParamDefault{`Point_set_flow::Tangent_plane_curvature`}
+       \cgalParamDefault{`Point_set_flow::Learned_curvature`}
      \cgalParamNEnd
      \cgalParamNBegin{sharpness_angle}
        \cgalParamDescription{the angle in degrees between the normals of two planes from which on

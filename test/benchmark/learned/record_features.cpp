@@ -30,7 +30,8 @@ class Recorder : public flow::Learned_curvature {
   std::vector<Record>* m_records;
 
 public:
-  static constexpr unsigned int number_of_corrections = flow::Learned_curvature::number_of_corrections + 1;
+  static constexpr unsigned int number_of_corrections =
+      flow::Learned_curvature::number_of_corrections + 1;
   explicit Recorder(std::vector<Record>& records) : m_records(&records) {}
   double correction(const flow::Neighborhood_3& neighborhood, unsigned int round) const
   {
@@ -56,11 +57,13 @@ int main(int argc, char** argv)
   if (argc != 4)
     return 1;
   std::ofstream out(argv[1], std::ios::binary);
-  for (unsigned int seed = unsigned(std::atoi(argv[2])); seed < unsigned(std::atoi(argv[3])); ++seed) {
+  for (unsigned int seed = unsigned(std::atoi(argv[2])); seed < unsigned(std::atoi(argv[3]));
+       ++seed) {
     const Training_cloud cloud = training_cloud(seed);
     if (!cloud.surface)
       continue;
-    const flow::Coordinate_frame frame = flow::find_coordinate_frame<CGAL::Sequential_tag>(cloud.points);
+    const flow::Coordinate_frame frame =
+        flow::find_coordinate_frame<CGAL::Sequential_tag>(cloud.points);
     Points smoothed = cloud.points;
     std::vector<Record> records;
     CGAL::balanced_flow_smooth_point_set<CGAL::Sequential_tag>(
@@ -87,14 +90,18 @@ int main(int argc, char** argv)
     for (std::size_t i = 0; i < records.size(); ++i) {
       const Features& f = records[i].features;
       std::vector<float> numbers = {float(seed), float(rms), float(f.unit * frame.unit),
-                                    float(ways[i] * records[i].normal / (f.unit * frame.unit)), float(f.size)};
-      numbers.insert(numbers.end(), f.of_point_even.data(), f.of_point_even.data() + Features::point_even);
-      numbers.insert(numbers.end(), f.of_point_odd.data(), f.of_point_odd.data() + Features::point_odd);
+                                    float(ways[i] * records[i].normal / (f.unit * frame.unit)),
+                                    float(f.size)};
+      numbers.insert(numbers.end(), f.of_point_even.data(),
+                     f.of_point_even.data() + Features::point_even);
+      numbers.insert(numbers.end(), f.of_point_odd.data(),
+                     f.of_point_odd.data() + Features::point_odd);
       for (const Features::Edge_lanes& lanes : f.even)
         numbers.insert(numbers.end(), lanes.data(), lanes.data() + lanes.size());
       for (const Features::Edge_lanes& lanes : f.odd)
         numbers.insert(numbers.end(), lanes.data(), lanes.data() + lanes.size());
-      out.write(reinterpret_cast<const char*>(numbers.data()), std::streamsize(numbers.size() * sizeof(float)));
+      out.write(reinterpret_cast<const char*>(numbers.data()),
+                std::streamsize(numbers.size() * sizeof(float)));
     }
     std::printf("%u %s: %zu records, rms %g\n", seed, cloud.name.c_str(), records.size(), rms);
     std::fflush(stdout);

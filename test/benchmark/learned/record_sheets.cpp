@@ -34,9 +34,11 @@ class Recorder : public flow::Tangent_plane_curvature {
   Recorder_data* m_data;
 
 public:
-  static constexpr unsigned int number_of_sheet_rounds = flow::Learned_curvature::number_of_sheet_rounds + 1;
+  static constexpr unsigned int number_of_sheet_rounds =
+      flow::Learned_curvature::number_of_sheet_rounds + 1;
   explicit Recorder(Recorder_data& data) : m_data(&data) {}
-  flow::Sheet_evidence find_sheets(const flow::Neighborhood_3& neighborhood, unsigned int round) const
+  flow::Sheet_evidence find_sheets(const flow::Neighborhood_3& neighborhood,
+                                   unsigned int round) const
   {
     if (round + 1 < number_of_sheet_rounds)
       return flow::Learned_curvature().find_sheets(neighborhood, round);
@@ -63,13 +65,15 @@ public:
     for (const double number : Gate(neighborhood).input)
       numbers.push_back(float(number));
     numbers.push_back(float(x.size));
-    numbers.insert(numbers.end(), x.of_point_even.data(), x.of_point_even.data() + Input::point_even);
+    numbers.insert(numbers.end(), x.of_point_even.data(),
+                   x.of_point_even.data() + Input::point_even);
     numbers.insert(numbers.end(), x.of_point_odd.data(), x.of_point_odd.data() + Input::point_odd);
     for (const Input::Edge_lanes& lanes : x.even)
       numbers.insert(numbers.end(), lanes.data(), lanes.data() + lanes.size());
     for (const Input::Edge_lanes& lanes : x.odd)
       numbers.insert(numbers.end(), lanes.data(), lanes.data() + lanes.size());
-    m_data->out->write(reinterpret_cast<const char*>(numbers.data()), std::streamsize(numbers.size() * sizeof(float)));
+    m_data->out->write(reinterpret_cast<const char*>(numbers.data()),
+                       std::streamsize(numbers.size() * sizeof(float)));
     ++m_data->records;
     m_data->mixed += opposite * 10 > neighborhood.size();
   }
@@ -80,11 +84,13 @@ int main(int argc, char** argv)
   if (argc != 4)
     return 1;
   std::ofstream out(argv[1], std::ios::binary);
-  for (unsigned int seed = unsigned(std::atoi(argv[2])); seed < unsigned(std::atoi(argv[3])); ++seed) {
+  for (unsigned int seed = unsigned(std::atoi(argv[2])); seed < unsigned(std::atoi(argv[3]));
+       ++seed) {
     const Training_cloud cloud = training_cloud(seed);
     if (!cloud.surface)
       continue;
-    const flow::Coordinate_frame frame = flow::find_coordinate_frame<CGAL::Sequential_tag>(cloud.points);
+    const flow::Coordinate_frame frame =
+        flow::find_coordinate_frame<CGAL::Sequential_tag>(cloud.points);
     Recorder_data data;
     data.out = &out;
     data.seed = seed;
@@ -96,7 +102,8 @@ int main(int argc, char** argv)
     Points smoothed = cloud.points;
     CGAL::balanced_flow_smooth_point_set<CGAL::Sequential_tag>(
         smoothed, CGAL::parameters::curvature(Recorder(data)).number_of_iterations(1));
-    std::printf("%u %s: %zu records, %zu of two sheets\n", seed, cloud.name.c_str(), data.records, data.mixed);
+    std::printf("%u %s: %zu records, %zu of two sheets\n", seed, cloud.name.c_str(), data.records,
+                data.mixed);
     std::fflush(stdout);
   }
 }

@@ -15,11 +15,42 @@ namespace comparison {
 /// anchor_dense, which are tuned shapes there.
 inline Names training_meshes()
 {
-  return {"3torus", "armadillo", "pig", "elk", "anchor_dense", "lion-head", "man", "mannequin-devil",
-          "nefertiti", "pinion", "dragknob", "itemb", "mushroom", "pipe", "tripod", "helmet",
-          "head", "bear", "bones", "diplodocus", "ChineseDragon-10kv", "bunny00", "eight",
-          "double-torus-example", "mech-holes-shark", "part", "oblong", "cactus", "beam", "cheese",
-          "handle", "retinal", "cross", "ellipsoid", "boeing", "anchor"};
+  return {"3torus",
+          "armadillo",
+          "pig",
+          "elk",
+          "anchor_dense",
+          "lion-head",
+          "man",
+          "mannequin-devil",
+          "nefertiti",
+          "pinion",
+          "dragknob",
+          "itemb",
+          "mushroom",
+          "pipe",
+          "tripod",
+          "helmet",
+          "head",
+          "bear",
+          "bones",
+          "diplodocus",
+          "ChineseDragon-10kv",
+          "bunny00",
+          "eight",
+          "double-torus-example",
+          "mech-holes-shark",
+          "part",
+          "oblong",
+          "cactus",
+          "beam",
+          "cheese",
+          "handle",
+          "retinal",
+          "cross",
+          "ellipsoid",
+          "boeing",
+          "anchor"};
 }
 
 /// Generated surfaces with random proportions
@@ -80,7 +111,8 @@ public:
     return grid(160, [=](double s, double t) {
       const double u = 2. * CGAL_PI * s, v = 2. * CGAL_PI * t;
       const double local = r * (1. + wobble * std::sin(waves * u));
-      return Point_3((1. + local * std::cos(v)) * std::cos(u), (1. + local * std::cos(v)) * std::sin(u),
+      return Point_3((1. + local * std::cos(v)) * std::cos(u),
+                     (1. + local * std::cos(v)) * std::sin(u),
                      local * std::sin(v) + wobble * std::cos(2. * u));
     });
   }
@@ -114,7 +146,8 @@ public:
   std::optional<Mesh> wall()
   {
     const double thickness = std::pow(10., uniform(-2., -.8)), wedge = uniform(0., .8);
-    const double k = uniform(0., 8.), l = uniform(0., 8.), height = uniform(0., .15), bend = uniform(0., .6);
+    const double k = uniform(0., 8.), l = uniform(0., 8.), height = uniform(0., .15),
+                 bend = uniform(0., .6);
     const std::size_t m = 100;
     Points points;
     Polygons faces;
@@ -136,14 +169,22 @@ public:
   {
     switch (std::uniform_int_distribution<int>(0, 8)(m_random)) {
     case 7:
-    case 8: return wall();
-    case 0: return prism_of_random_polygon();
-    case 1: return stairs();
-    case 2: return tube();
-    case 3: return bumpy_sphere();
-    case 4: return plate(uniform(1., 12.), 10000);
-    case 5: return prism_of_random_polygon();
-    default: return random_waves();
+    case 8:
+      return wall();
+    case 0:
+      return prism_of_random_polygon();
+    case 1:
+      return stairs();
+    case 2:
+      return tube();
+    case 3:
+      return bumpy_sphere();
+    case 4:
+      return plate(uniform(1., 12.), 10000);
+    case 5:
+      return prism_of_random_polygon();
+    default:
+      return random_waves();
     }
   }
 };
@@ -151,7 +192,8 @@ public:
 /// Independent points on a surface: uneven by chance, as blue noise is not
 /// \param is_wanted tells where there may be points
 template <typename Is_wanted>
-Points random_points(const Mesh_surface& surface, std::size_t n, std::mt19937& random, const Is_wanted& is_wanted)
+Points random_points(const Mesh_surface& surface, std::size_t n, std::mt19937& random,
+                     const Is_wanted& is_wanted)
 {
   std::uniform_real_distribution<double> unit(0., 1.);
   std::discrete_distribution<unsigned int> random_face(surface.face_areas().begin(),
@@ -160,7 +202,8 @@ Points random_points(const Mesh_surface& surface, std::size_t n, std::mt19937& r
   while (points.size() < n) {
     const std::array<Point_3, 3> corners = surface.triangle(Mesh::Face_index(random_face(random)));
     const double r = std::sqrt(unit(random)), s = unit(random);
-    const Point_3 p = corners[0] + r * (1. - s) * (corners[1] - corners[0]) + r * s * (corners[2] - corners[0]);
+    const Point_3 p =
+        corners[0] + r * (1. - s) * (corners[1] - corners[0]) + r * s * (corners[2] - corners[0]);
     if (is_wanted(p))
       points.push_back(p);
   }
@@ -168,7 +211,8 @@ Points random_points(const Mesh_surface& surface, std::size_t n, std::mt19937& r
 }
 
 /// Points in lines that are some spacings apart, as of a laser
-inline Points scan_lines(const Mesh_surface& surface, std::size_t n, double gap, std::mt19937& random)
+inline Points scan_lines(const Mesh_surface& surface, std::size_t n, double gap,
+                         std::mt19937& random)
 {
   std::normal_distribution<double> normal;
   Vector_3 across(normal(random), normal(random), normal(random));
@@ -223,7 +267,7 @@ inline Training_cloud training_cloud(unsigned int seed)
     return cloud;
   const double spacing = std::sqrt(cloud.surface->area() / double(n)), way = uniform(0., 1.);
   const auto anywhere = [](const Point_3&) { return true; };
-  const Points clean = way < .1    ? scan_lines(*cloud.surface, n, uniform(1.5, 5.) * spacing, random)
+  const Points clean = way < .1 ? scan_lines(*cloud.surface, n, uniform(1.5, 5.) * spacing, random)
                        : way < .35 ? random_points(*cloud.surface, n, random, anywhere)
                        : way < .5  ? sample_mesh(*cloud.surface, n, seed, tenfold_density).points
                                    : sample_mesh(*cloud.surface, n, seed).points;
