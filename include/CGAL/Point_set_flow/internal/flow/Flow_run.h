@@ -176,7 +176,8 @@ private:
       m_state.planes[i] = Compact_tangent_plane_3(normals[i], 0.);
     const Array<Point_3> start = m_block.points;
     const auto moves = [&](std::size_t i) { return may_move(i); };
-    relax(surface(start), m_plan.number_of_relaxation_steps, moves, m_block.points, m_loops);
+    relax_along_surface(surface(start), m_plan.number_of_relaxation_steps, moves, m_block.points,
+                        m_loops);
   }
 
   Surface surface(const Array<Point_3>& points, double narrowing = 1.) const

@@ -205,8 +205,9 @@ private:
 /// \param surface where the points are, with their normals; not where `points` is, which move
 /// \param may_move tells it for each point
 template <typename ConcurrencyTag, typename May_move>
-void relax(const Surface& surface, unsigned int number_of_steps, const May_move& may_move,
-           Array<Point_3>& points, Loops<ConcurrencyTag>& loops)
+void relax_along_surface(const Surface& surface, unsigned int number_of_steps,
+                         const May_move& may_move, Array<Point_3>& points,
+                         Loops<ConcurrencyTag>& loops)
 {
   const Relaxation relaxation(surface);
   Array<Point_3> before(points.size());
