@@ -171,13 +171,11 @@ private:
     for (std::size_t i = 0; i < m_state.noise.size(); ++i)
       m_state.noise[i] = (std::max)(m_state.noise[i], .1 * m_state.parameters(i).spacing);
     const Array<Vector_3> normals = find_normals();
-    m_state.planes.resize(normals.size());
-    for (std::size_t i = 0; i < normals.size(); ++i)
-      m_state.planes[i] = Compact_tangent_plane_3(normals[i], 0.);
+    m_state.planes.assign(normals.begin(), normals.end());
     const Array<Point_3> start = m_block.points;
-    const auto moves = [&](std::size_t i) { return may_move(i); };
-    relax_along_surface(surface(start), m_plan.number_of_relaxation_steps, moves, m_block.points,
-                        m_loops);
+    relax_along_surface(
+        surface(start), m_plan.number_of_relaxation_steps,
+        [&](std::size_t i) { return may_move(i); }, m_block.points, m_loops);
   }
 
   Surface surface(const Array<Point_3>& points, double narrowing = 1.) const
