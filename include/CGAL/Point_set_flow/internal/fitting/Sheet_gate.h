@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
 
 namespace CGAL {
 namespace Point_set_flow {
@@ -17,7 +18,7 @@ namespace internal {
 /// What is known of a point without a look at its neighbors, to spare most points the network that finds sheets:
 /// the two sheets of a wall make the neighborhood thick, and the heights bimodal.
 struct Sheet_gate {
-  static constexpr int inputs = 3;
+  static constexpr std::size_t inputs = 3;
   std::array<double, inputs> input; ///< thickness and noise in logarithms, and the excess kurtosis
 
   /// \pre `neighborhood.has_sheets()`, with a positive deviation
@@ -36,8 +37,8 @@ struct Sheet_gate {
     double sum = 0.;
     for (const double x : input)
       sum += double(*weights++) * x;
-    for (int i = 0; i < inputs; ++i)
-      for (int j = i; j < inputs; ++j)
+    for (std::size_t i = 0; i < inputs; ++i)
+      for (std::size_t j = i; j < inputs; ++j)
         sum += double(*weights++) * input[i] * input[j];
     return sum + double(*weights);
   }
