@@ -54,56 +54,49 @@ public:
 
 int main(int argc, char** argv)
 {
-  if (argc != 4)
-    return 1;
-  std::ofstream out(argv[1], std::ios::binary);
-  for (unsigned int seed = unsigned(std::atoi(argv[2])); seed < unsigned(std::atoi(argv[3]));
-       ++seed) {
-    const Training_cloud cloud = training_cloud(seed);
-    if (!cloud.surface)
-      continue;
-    const flow::Coordinate_frame frame =
-        flow::find_coordinate_frame<CGAL::Sequential_tag>(cloud.points);
-    Points smoothed = cloud.points;
-    std::vector<Record> records;
-    CGAL::balanced_flow_smooth_point_set<CGAL::Sequential_tag>(
-        smoothed, CGAL::parameters::curvature(Recorder(records)));
-    std::mt19937 random(seed);
-    std::shuffle(records.begin(), records.end(), random);
-    const std::size_t most = 4000;
-    if (records.size() > most)
-      records.resize(most, records.front());
-    double squares = 0.;
-    std::vector<double> distances, movements;
-    std::vector<Vector_3> ways;
-    for (const Record& r : records) {
-      const Point_3 p = frame.center + frame.unit * (r.point - CGAL::ORIGIN);
-      const Surface_point closest = cloud.surface->closest(p);
-      ways.push_back(closest.point - p);
-      distances.push_back(ways.back().squared_length());
-    }
-    std::vector<double> sorted = distances; // without outliers
-    std::sort(sorted.begin(), sorted.end());
-    for (std::size_t i = 0; i < sorted.size() * 98 / 100; ++i)
-      squares += sorted[i];
-    const double rms = std::sqrt(squares / (double(sorted.size()) * .98 + 1e-300));
-    for (std::size_t i = 0; i < records.size(); ++i) {
-      const Features& f = records[i].features;
-      std::vector<float> numbers = {float(seed), float(rms), float(f.unit * frame.unit),
-                                    float(ways[i] * records[i].normal / (f.unit * frame.unit)),
-                                    float(f.size)};
-      numbers.insert(numbers.end(), f.of_point_even.data(),
-                     f.of_point_even.data() + Features::point_even);
-      numbers.insert(numbers.end(), f.of_point_odd.data(),
-                     f.of_point_odd.data() + Features::point_odd);
-      for (const Features::Edge_lanes& lanes : f.even)
-        numbers.insert(numbers.end(), lanes.data(), lanes.data() + lanes.size());
-      for (const Features::Edge_lanes& lanes : f.odd)
-        numbers.insert(numbers.end(), lanes.data(), lanes.data() + lanes.size());
-      out.write(reinterpret_cast<const char*>(numbers.data()),
-                std::streamsize(numbers.size() * sizeof(float)));
-    }
-    std::printf("%u %s: %zu records, rms %g\n", seed, cloud.name.c_str(), records.size(), rms);
-    std::fflush(stdout);
-  }
+  return for_each_training_cloud(
+      argc, argv, [](unsigned int seed, const Training_cloud& cloud, std::ofstream& out) {
+        const flow::Coordinate_frame frame =
+            flow::find_coordinate_frame<CGAL::Sequential_tag>(cloud.points);
+        Points smoothed = cloud.points;
+        std::vector<Record> records;
+        CGAL::balanced_flow_smooth_point_set<CGAL::Sequential_tag>(
+            smoothed, CGAL::parameters::curvature(Recorder(records)));
+        std::mt19937 random(seed);
+        std::shuffle(records.begin(), records.end(), random);
+        const std::size_t most = 4000;
+        if (records.size() > most)
+          records.resize(most, records.front());
+        double squares = 0.;
+        std::vector<double> distances, movements;
+        std::vector<Vector_3> ways;
+        for (const Record& r : records) {
+          const Point_3 p = frame.center + frame.unit * (r.point - CGAL::ORIGIN);
+          const Surface_point closest = cloud.surface->closest(p);
+          ways.push_back(closest.point - p);
+          distances.push_back(ways.back().squared_length());
+        }
+        std::vector<double> sorted = distances; // without outliers
+        std::sort(sorted.begin(), sorted.end());
+        for (std::size_t i = 0; i < sorted.size() * 98 / 100; ++i)
+          squares += sorted[i];
+        const double rms = std::sqrt(squares / (double(sorted.size()) * .98 + 1e-300));
+        for (std::size_t i = 0; i < records.size(); ++i) {
+          const Features& f = records[i].features;
+          std::vector<float> numbers = {float(seed), float(rms), float(f.unit * frame.unit),
+                                        float(ways[i] * records[i].normal / (f.unit * frame.unit)),
+                                        float(f.size)};
+          numbers.insert(numbers.end(), f.of_point_even.data(),
+                         f.of_point_even.data() + Features::point_even);
+          numbers.insert(numbers.end(), f.of_point_odd.data(),
+                         f.of_point_odd.data() + Features::point_odd);
+          for (const Features::Edge_lanes& lanes : f.even)
+            numbers.insert(numbers.end(), lanes.data(), lanes.data() + lanes.size());
+          for (const Features::Edge_lanes& lanes : f.odd)
+            numbers.insert(numbers.end(), lanes.data(), lanes.data() + lanes.size());
+          out.write(reinterpret_cast<const char*>(numbers.data()),
+                    std::streamsize(numbers.size() * sizeof(float)));
+        }
+        std::printf("%u %s: %zu records, rms %g\n", seed, cloud.name.c_str(), records.size(), rms);
+      });
 }

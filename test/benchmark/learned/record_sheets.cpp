@@ -81,29 +81,22 @@ public:
 
 int main(int argc, char** argv)
 {
-  if (argc != 4)
-    return 1;
-  std::ofstream out(argv[1], std::ios::binary);
-  for (unsigned int seed = unsigned(std::atoi(argv[2])); seed < unsigned(std::atoi(argv[3]));
-       ++seed) {
-    const Training_cloud cloud = training_cloud(seed);
-    if (!cloud.surface)
-      continue;
-    const flow::Coordinate_frame frame =
-        flow::find_coordinate_frame<CGAL::Sequential_tag>(cloud.points);
-    Recorder_data data;
-    data.out = &out;
-    data.seed = seed;
-    data.every = unsigned(1 + cloud.points.size() / 4000);
-    for (const Point_3& p : cloud.points) {
-      const Point_3 q = CGAL::ORIGIN + (p - frame.center) / frame.unit;
-      data.closest[{q.x(), q.y(), q.z()}] = cloud.surface->closest(p);
-    }
-    Points smoothed = cloud.points;
-    CGAL::balanced_flow_smooth_point_set<CGAL::Sequential_tag>(
-        smoothed, CGAL::parameters::curvature(Recorder(data)).number_of_iterations(1));
-    std::printf("%u %s: %zu records, %zu of two sheets\n", seed, cloud.name.c_str(), data.records,
-                data.mixed);
-    std::fflush(stdout);
-  }
+  return for_each_training_cloud(
+      argc, argv, [](unsigned int seed, const Training_cloud& cloud, std::ofstream& out) {
+        const flow::Coordinate_frame frame =
+            flow::find_coordinate_frame<CGAL::Sequential_tag>(cloud.points);
+        Recorder_data data;
+        data.out = &out;
+        data.seed = seed;
+        data.every = unsigned(1 + cloud.points.size() / 4000);
+        for (const Point_3& p : cloud.points) {
+          const Point_3 q = CGAL::ORIGIN + (p - frame.center) / frame.unit;
+          data.closest[{q.x(), q.y(), q.z()}] = cloud.surface->closest(p);
+        }
+        Points smoothed = cloud.points;
+        CGAL::balanced_flow_smooth_point_set<CGAL::Sequential_tag>(
+            smoothed, CGAL::parameters::curvature(Recorder(data)).number_of_iterations(1));
+        std::printf("%u %s: %zu records, %zu of two sheets\n", seed, cloud.name.c_str(),
+                    data.records, data.mixed);
+      });
 }

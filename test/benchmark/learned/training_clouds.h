@@ -7,7 +7,10 @@
 #include "measure/Noise_models.h"
 #include "measure/sample_mesh.h"
 
+#include <cstdio>
+#include <fstream>
 #include <random>
+#include <string>
 
 namespace comparison {
 
@@ -152,6 +155,26 @@ inline Training_cloud training_cloud(unsigned int seed)
   cloud.inlier = std::move(noisy.inlier);
   cloud.name += ", " + model + ", " + std::to_string(noise) + ", " + std::to_string(n);
   return cloud;
+}
+
+/// Calls `visit(seed, cloud, out)` for the clouds that the arguments of a program name: the file for the output, and
+/// the first number and the one after the last.
+template <typename Visit>
+int for_each_training_cloud(int argc, char** argv, const Visit& visit)
+{
+  if (argc != 4) {
+    std::fprintf(stderr, "usage: %s OUT FIRST LAST\n", argv[0]);
+    return 1;
+  }
+  std::ofstream out(argv[1], std::ios::binary);
+  const auto last = static_cast<unsigned int>(std::stoul(argv[3]));
+  for (auto seed = static_cast<unsigned int>(std::stoul(argv[2])); seed < last; ++seed) {
+    const Training_cloud cloud = training_cloud(seed);
+    if (cloud.surface)
+      visit(seed, cloud, out);
+    std::fflush(stdout);
+  }
+  return out.flush() ? 0 : 1;
 }
 
 } // namespace comparison
