@@ -40,7 +40,7 @@ public:
   static constexpr unsigned int number_of_corrections = internal::number_of_correction_rounds;
 
   /// Whether the neighbors are those of two sheets.
-  /// \param round counts from 0
+  /// \param neighborhood, round the first round is 0
   /// \pre `neighborhood.has_sheets()`
   Sheet_evidence find_sheets(const Neighborhood_3& neighborhood, unsigned int round) const
   {
@@ -60,7 +60,7 @@ public:
   }
 
   /// How far a point should move along its normal, a length.
-  /// \param round counts from 0
+  /// \param neighborhood, round the first round is 0
   /// \pre `neighborhood.has_residuals()`
   double correction(const Neighborhood_3& neighborhood, unsigned int round) const
   {
