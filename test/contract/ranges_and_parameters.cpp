@@ -222,7 +222,7 @@ BOOST_AUTO_TEST_CASE(named_parameters_combine_in_any_order)
   const Points b = run(np::step_length(.5).feature_threshold(1000).number_of_iterations(8));
   const Points c = run(np::flow(Balanced_flow())
                            .update_period(4)
-                           .curvature(Tangent_plane_curvature())
+                           .curvature(Learned_curvature())
                            .feature_threshold(1000.f)
                            .step_length(.5)
                            .point_map(map)

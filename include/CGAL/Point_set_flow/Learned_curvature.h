@@ -28,8 +28,8 @@ namespace Point_set_flow {
 ///
 /// Both are small networks of a few thousand weights, which are part of the package. Their inputs follow
 /// translation, rotation and scaling, and the movement that they return is exactly odd in the normal, whose
-/// orientation thus does not matter. No point is corrected by more than twice the rms residual around it, and
-/// none at all where there is no noise.
+/// orientation thus does not matter. No point is corrected by more than twice the rms residual around it, or four
+/// times the noise.
 ///
 /// \cgalModels{PointSetCurvature}
 class Learned_curvature : public Tangent_plane_curvature {
@@ -76,8 +76,8 @@ private:
     typedef internal::Correction_input Input;
     const internal::Learned_network<Input> network(internal::correction_weights[round]);
     const Input input(neighborhood);
-    const double most = 2., movement = double(network(input).odd);
-    return (std::min)((std::max)(movement, -most), most) * input.unit;
+    const double most = (std::min)(2. * input.unit, 4. * neighborhood.noise());
+    return (std::min)((std::max)(double(network(input).odd) * input.unit, -most), most);
   }
 };
 

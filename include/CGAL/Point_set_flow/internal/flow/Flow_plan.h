@@ -34,9 +34,9 @@ public:
   const bool is_k_given, is_noise_given;
   const Curvature_defaults defaults;
   const unsigned int number_of_iterations, update_period, number_of_relaxation_steps;
-  /// Rounds of the estimator besides the steps: before the first one and after the last one
-  const unsigned int number_of_sheet_rounds, number_of_corrections;
+  const unsigned int number_of_sheet_rounds; ///< of the estimator, before the first step
   const double step_length;
+  const unsigned int number_of_corrections; ///< of the estimator, after the last step
   const std::size_t number_of_points, number_of_distinct_points;
   const double unit; ///< the length of 1 in the core, in the unit of the data
   const double filter_width;
@@ -57,10 +57,10 @@ public:
         update_period(parameters.update_period),
         number_of_relaxation_steps(parameters.number_of_relaxation_steps),
         number_of_sheet_rounds(Number_of_sheet_rounds<Curvature>::value),
-        number_of_corrections(number_of_iterations > 0 && is_correctable(flow)
+        step_length(parameters.step_length.value_or(defaults.step_length)),
+        number_of_corrections(number_of_iterations > 0 && step_length > 0. && is_correctable(flow)
                                   ? Number_of_corrections<Curvature>::value
                                   : 0),
-        step_length(parameters.step_length.value_or(defaults.step_length)),
         number_of_points(points.buffer().site_of.size()),
         number_of_distinct_points(points.buffer().size()), unit(unit_),
         filter_width(parameters.filter_width.value_or(defaults.filter_width))
