@@ -94,7 +94,7 @@ void Command_line::add_smoothing_options(Option_group& group)
      "no neighbors beyond it, 0: no limit, which is the default")
     ("iterations", options::value(&m_iterations)->value_name("N"),
      "number of iterations, by default as many as suit the estimator, 5 or 12")
-    ("relax", options::value(&m_relaxation_steps)->implicit_value(5)->value_name("N"),
+    ("relax", options::value(&m_relaxation_steps)->implicit_value(std::stoi(relax_without_count), relax_without_count)->value_name("N"),
      "then spread the points evenly along the surface, in N steps, by default 5 (--relax=N); colors and other columns "
      "move with their points")
     ("sharpness-angle", options::value(&s.sharpness_angle)->value_name("DEGREES"),

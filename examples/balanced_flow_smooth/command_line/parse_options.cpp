@@ -21,8 +21,10 @@ options::parsed_options parse_options(int argc, char** argv,
     if (!option || option->semantic()->min_tokens() != 0 || option->semantic()->max_tokens() == 0)
       return parsed;
     const std::string& name = option->long_name(); // it may be abbreviated
-    options::option& own = parsed.emplace_back(
-        name, std::vector<std::string>{name == "json" ? json_without_file : man_without_date});
+    options::option& own =
+        parsed.emplace_back(name, std::vector<std::string>{name == "json"    ? json_without_file
+                                                           : name == "relax" ? relax_without_count
+                                                                             : man_without_date});
     own.original_tokens.push_back(word);
     left.erase(left.begin());
     return parsed;

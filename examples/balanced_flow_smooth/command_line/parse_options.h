@@ -9,7 +9,8 @@
 namespace balanced_flow_smooth {
 
 // what options with an optional argument mean without it
-constexpr const char *json_without_file = "-", *man_without_date = "";
+constexpr const char *json_without_file = "-", *man_without_date = "",
+                     *relax_without_count = "5";
 
 /// Cuts the command line into options and other words. An optional argument is one only behind "=",
 /// as everywhere in GNU: the next word may be the name of a file.

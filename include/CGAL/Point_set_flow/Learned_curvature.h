@@ -48,7 +48,8 @@ public:
     Sheet_evidence found = neighborhood.sheets();
     const float least = -4.f; // of the network
     const bool is_excluded = round > 0 && found.two_sheets == least;
-    if (is_excluded || !(found.deviation > 0.) || internal::Sheet_gate(neighborhood)(internal::sheet_gate_weights) < 0.) {
+    if (is_excluded || !(found.deviation > 0.) ||
+        internal::Sheet_gate(neighborhood)(internal::sheet_gate_weights) < 0.) {
       found.two_sheets = least;
       return found;
     }
