@@ -104,7 +104,7 @@ double rms_after(Points points, const Error& error)
 
 BOOST_AUTO_TEST_SUITE(what_is_learned)
 
-BOOST_AUTO_TEST_CASE(turning_all_normals_turns_the_movement_to_the_last_bit)
+BOOST_AUTO_TEST_CASE(the_movement_is_exactly_odd_in_the_normals)
 {
   const Learned_curvature curvature;
   for (unsigned int seed = 0; seed < 50; ++seed) {

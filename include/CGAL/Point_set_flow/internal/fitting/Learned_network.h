@@ -16,7 +16,7 @@ namespace internal {
 ///
 /// One layer works on each edge. From it come gates, and the means of the odd numbers of the edges weighted by
 /// them: learned weights in place of Gaussians. A second layer combines these. If all normals are turned,
-/// the odd output changes its sign and the even one nothing, to the last bit: each layer works on the sum
+/// the odd output changes its sign, and both are bitwise identical otherwise: each layer works on the sum
 /// of its even and odd inputs and on their difference. What the two results have in common is even, and
 /// their difference is odd.
 ///
