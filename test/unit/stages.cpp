@@ -27,6 +27,14 @@ namespace {
 
 typedef internal::Loops<CGAL::Sequential_tag> Loops;
 
+void require_same_neighborhood(const internal::Neighbor_graph& a, const internal::Neighbor_graph& b,
+                               std::size_t i)
+{
+  BOOST_REQUIRE(a.size(i) == b.size(i));
+  BOOST_REQUIRE(a.radius(i) == b.radius(i));
+  for (std::size_t j = 0; j < a.size(i); ++j)
+    BOOST_REQUIRE(a.neighbors(i)[j] == b.neighbors(i)[j]);
+}
 } // namespace
 
 BOOST_AUTO_TEST_CASE(the_diffusivity_falls_from_1_through_one_half_at_the_threshold)
@@ -134,10 +142,7 @@ BOOST_AUTO_TEST_CASE(parts_of_the_points_have_numbers_of_neighbors_of_their_own)
     const internal::Neighbor_graph alike(tree, {sizes[part]}, loops);
     for (std::size_t i = 0; i < points.size(); ++i)
       if (part_of[i] == part) {
-        BOOST_REQUIRE(graph.size(i) == alike.size(i));
-        BOOST_REQUIRE(graph.radius(i) == alike.radius(i));
-        for (std::size_t j = 0; j < graph.size(i); ++j)
-          BOOST_REQUIRE(graph.neighbors(i)[j] == alike.neighbors(i)[j]);
+        require_same_neighborhood(graph, alike, i);
       }
   }
 }
@@ -385,7 +390,8 @@ BOOST_AUTO_TEST_CASE(thin_parts_are_distinguished_from_noise)
       auto moments = internal::find_moments(surface, sides, loops);
       internal::pool(graph, moments, loops);
       return internal::fit_sheets(surface, moments, std::move(sides),
-                                  Tangent_plane_curvature::defaults(), state.noise, is_given, loops);
+                                  Tangent_plane_curvature::defaults(), state.noise, is_given,
+                                  loops);
     };
     const internal::Array<std::uint32_t> sizes = fit(false).sizes;
     const double noise =
@@ -442,10 +448,7 @@ BOOST_AUTO_TEST_CASE(a_graph_adapts_to_other_numbers_of_neighbors)
   internal::Neighbor_graph graph(tree, {20}, loops);
   graph.adapt(tree, search, loops);
   for (std::size_t i = 0; i < points.size(); ++i) {
-    BOOST_REQUIRE(graph.size(i) == expected.size(i));
-    BOOST_REQUIRE(graph.radius(i) == expected.radius(i));
-    for (std::size_t j = 0; j < graph.size(i); ++j)
-      BOOST_REQUIRE(graph.neighbors(i)[j] == expected.neighbors(i)[j]);
+    require_same_neighborhood(graph, expected, i);
   }
 }
 

@@ -47,9 +47,11 @@ public:
     typedef internal::Sheet_input Input;
     Sheet_evidence found = neighborhood.sheets();
     const float least = -4.f; // of the network
-    const bool is_excluded = round > 0 && found.two_sheets == least;
-    if (is_excluded || !(found.deviation > 0.) ||
-        internal::Sheet_gate(neighborhood)(internal::sheet_gate_weights) < 0.) {
+    const bool is_excluded =
+        round > 0 ? found.two_sheets == least
+                  : !(found.deviation > 0.) ||
+                        internal::Sheet_gate(neighborhood)(internal::sheet_gate_weights) < 0.;
+    if (is_excluded) {
       found.two_sheets = least;
       return found;
     }

@@ -68,7 +68,7 @@ int main(int argc, char** argv)
         if (records.size() > most)
           records.resize(most, records.front());
         double squares = 0.;
-        std::vector<double> distances, movements;
+        std::vector<double> distances;
         std::vector<Vector_3> ways;
         for (const Record& r : records) {
           const Point_3 p = frame.center + frame.unit * (r.point - CGAL::ORIGIN);
@@ -86,14 +86,7 @@ int main(int argc, char** argv)
           std::vector<float> numbers = {float(seed), float(rms), float(f.unit * frame.unit),
                                         float(ways[i] * records[i].normal / (f.unit * frame.unit)),
                                         float(f.size)};
-          numbers.insert(numbers.end(), f.of_point_even.data(),
-                         f.of_point_even.data() + Features::point_even);
-          numbers.insert(numbers.end(), f.of_point_odd.data(),
-                         f.of_point_odd.data() + Features::point_odd);
-          for (const Features::Edge_lanes& lanes : f.even)
-            numbers.insert(numbers.end(), lanes.data(), lanes.data() + lanes.size());
-          for (const Features::Edge_lanes& lanes : f.odd)
-            numbers.insert(numbers.end(), lanes.data(), lanes.data() + lanes.size());
+          append(numbers, f);
           out.write(reinterpret_cast<const char*>(numbers.data()),
                     std::streamsize(numbers.size() * sizeof(float)));
         }

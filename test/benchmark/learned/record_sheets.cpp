@@ -65,13 +65,7 @@ public:
     for (const double number : Gate(neighborhood).input)
       numbers.push_back(float(number));
     numbers.push_back(float(x.size));
-    numbers.insert(numbers.end(), x.of_point_even.data(),
-                   x.of_point_even.data() + Input::point_even);
-    numbers.insert(numbers.end(), x.of_point_odd.data(), x.of_point_odd.data() + Input::point_odd);
-    for (const Input::Edge_lanes& lanes : x.even)
-      numbers.insert(numbers.end(), lanes.data(), lanes.data() + lanes.size());
-    for (const Input::Edge_lanes& lanes : x.odd)
-      numbers.insert(numbers.end(), lanes.data(), lanes.data() + lanes.size());
+    append(numbers, x);
     m_data->out->write(reinterpret_cast<const char*>(numbers.data()),
                        std::streamsize(numbers.size() * sizeof(float)));
     ++m_data->records;

@@ -157,6 +157,19 @@ inline Training_cloud training_cloud(unsigned int seed)
   return cloud;
 }
 
+/// Adds all that a network sees of a point.
+/// \tparam Input a `Network_input`
+template <typename Input>
+void append(std::vector<float>& numbers, const Input& x)
+{
+  numbers.insert(numbers.end(), x.of_point_even.data(), x.of_point_even.data() + Input::point_even);
+  numbers.insert(numbers.end(), x.of_point_odd.data(), x.of_point_odd.data() + Input::point_odd);
+  for (const auto& lanes : x.even)
+    numbers.insert(numbers.end(), lanes.data(), lanes.data() + lanes.size());
+  for (const auto& lanes : x.odd)
+    numbers.insert(numbers.end(), lanes.data(), lanes.data() + lanes.size());
+}
+
 /// Calls `visit(seed, cloud, out)` for the clouds that the arguments of a program name: the file for the output, and
 /// the first number and the one after the last.
 template <typename Visit>

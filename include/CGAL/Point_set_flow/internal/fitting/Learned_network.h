@@ -64,11 +64,6 @@ class Learned_network {
   };
 
 public:
-  static constexpr int number_of_weights =
-      hidden * (Input::edge_even + 1 + Input::edge_odd + Input::point_even + Input::point_odd) +
-      gates * (hidden + 1) + head * (head_even + 1 + head_odd) + odd_inputs * (head + 1) +
-      2 * head + 1;
-
   struct Output {
     float odd, even;
   };
