@@ -2,13 +2,28 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Writes learned_weights.h from the files of train.py:
 
-    write_weights.py --sheets FILES... --correction FILES... > learned_weights.h
+    write_weights.py --gate FILE --sheets FILES... --correction FILES... > learned_weights.h
 """
 import argparse
 
 
+HIDDEN, GATES, HEAD = 16, 4, 20  # of Network in train.py
+ROWS = [HIDDEN] * 5 + [GATES] * 2 + [HEAD] * 3
+
+
+def read_columns(file):
+    """All weights in the order of Network: of layers column by column, as Learned_network.h multiplies"""
+    numbers = []
+    for i, line in enumerate(open(file)):
+        x = [f"{float(x):.4g}" for x in line.split()]
+        rows = ROWS[i] if i < len(ROWS) else 1  # what comes after the layers stays as it is
+        columns = len(x) // rows
+        numbers += [x[r * columns + c] for c in range(columns) for r in range(rows)]
+    return numbers
+
+
 def array(name, files):
-    rounds = [[f"{float(x):.4g}" for x in open(f).read().split()] for f in files]
+    rounds = [read_columns(f) for f in files]
     count = len(rounds[0]) if rounds else 1
     print(f"inline constexpr unsigned int number_of_{name}_rounds = {len(rounds)};")
     print(f"inline constexpr float {name}_weights[{max(1, len(rounds))}][{count}] = {{")

@@ -19,23 +19,27 @@ struct Correction_input : Network_input<2, 3, 2, 1> {
   double unit; ///< the rms residual around the point, a length
 
   /// \pre `neighborhood.has_residuals()`; there are neighbors
-  [[gnu::flatten]] explicit Correction_input(const Neighborhood_3& neighborhood) : Network_input(neighborhood)
+  [[gnu::flatten]] explicit Correction_input(const Neighborhood_3& neighborhood)
+      : Network_input(neighborhood)
   {
     const double radius = neighborhood.radius();
     for (int i = 0; i < size; ++i) {
       const Edge edge = read_edge(neighborhood, i);
-      odd[2][i] = static_cast<float>(neighborhood.residual(edge.neighbor) * edge.side / radius);
+      at(odd[2], i) = static_cast<float>(neighborhood.residual(edge.neighbor) * edge.side / radius);
     }
     const double own = neighborhood.residual() / radius;
-    const double mean_square = double(odd[2].square().sum()) / double(size);
+    Lanes squares = Lanes::Zero();
+    for (const Lanes& residuals : odd[2])
+      squares += residuals * residuals;
+    const double mean_square = sum(squares) / double(size);
     const double least = .001; // of the radius: on a clean surface all residuals are 0
     const double relative = (std::max)(std::sqrt(.97 * mean_square + .03 * own * own), least);
     unit = relative * radius;
     for (Edge_lanes& lanes : odd)
-      lanes = squashed(Edge_lanes(lanes / static_cast<float>(relative)));
-    of_point_even << static_cast<float>(std::log(relative)),
-        limited(std::log(unit / neighborhood.noise()), 3.);
-    of_point_odd << squashed(static_cast<float>(own / relative));
+      squash(lanes, static_cast<float>(relative));
+    of_point_even = {static_cast<float>(std::log(relative)),
+                     limited(std::log(unit / neighborhood.noise()), 3.)};
+    of_point_odd = {squashed(static_cast<float>(own / relative))};
   }
 };
 

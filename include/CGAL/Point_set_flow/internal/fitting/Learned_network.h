@@ -4,13 +4,50 @@
 
 #include <CGAL/license/Point_set_flow.h>
 
-#include <Eigen/Core>
+#include <CGAL/Point_set_flow/internal/fitting/Lanes.h>
 
+#include <array>
 #include <cmath>
+#include <cstddef>
+#include <utility>
 
 namespace CGAL {
 namespace Point_set_flow {
 namespace internal {
+
+/// Calls `visit(0)` to `visit(Count - 1)`, in a row: compilers would keep lanes of a loop in memory.
+template <typename Visit, std::size_t... Index>
+void unroll(const Visit& visit, std::index_sequence<Index...>)
+{
+  (visit(Index), ...);
+}
+template <std::size_t Count, typename Visit>
+void unroll(const Visit& visit)
+{
+  unroll(visit, std::make_index_sequence<Count>());
+}
+
+/// `Size` numbers, four in each lane
+template <std::size_t Size>
+struct Lane_vector : std::array<Lanes, Size / 4> {
+  static_assert(Size % 4 == 0, "lanes are full");
+
+  Lane_vector() { this->fill(Lanes::Zero()); }
+  explicit Lane_vector(const float* numbers)
+  {
+    for (std::size_t i = 0; i < this->size(); ++i)
+      (*this)[i] = Eigen::Map<const Lanes>(numbers + 4 * i);
+  }
+  /// Adds the product of a matrix, which is stored column by column, and a vector.
+  template <std::size_t Columns>
+  void add_product(const float* matrix, const float* vector)
+  {
+    for (std::size_t c = 0; c < Columns; ++c)
+      unroll<Size / 4>([&](std::size_t i) {
+        (*this)[i] += Eigen::Map<const Lanes>(matrix + c * Size + 4 * i) * vector[c];
+      });
+  }
+};
 
 /// A small network with trained weights, from the numbers of a neighborhood to an odd and an even one.
 ///
@@ -23,35 +60,33 @@ namespace internal {
 /// \tparam Input a `Network_input`
 template <typename Input>
 class Learned_network {
-  typedef typename Input::Edge_lanes Edge_lanes;
-  static constexpr int hidden = 16, gates = 4, head = 20;
-  static constexpr int values = Input::edge_odd + 1, odd_inputs = gates * values + Input::point_odd;
-  static constexpr int head_even = hidden + Input::point_even + gates,
-                       head_odd = hidden + odd_inputs;
-
-  template <int Rows, int Columns>
-  using Weights = Eigen::Map<
-      const Eigen::Matrix<float, Rows, Columns, Columns == 1 ? Eigen::ColMajor : Eigen::RowMajor>>;
+  static constexpr std::size_t hidden = 16, gates = 4, head = 20;
+  static constexpr std::size_t edge_even = Input::edge_even, edge_odd = Input::edge_odd,
+                               point_even = Input::point_even, point_odd = Input::point_odd;
+  static constexpr std::size_t values = edge_odd + 1; ///< the last one is the mean of the first two
+  static constexpr std::size_t odd_inputs = gates * values + point_odd;
+  static constexpr std::size_t head_even = hidden + point_even + gates,
+                               head_odd = hidden + odd_inputs;
 
   const float* m_end; // of the weights that have a name already
-  // in the order in which they are stored
-  const Weights<hidden, Input::edge_even> m_edge_even;
-  const Weights<hidden, 1> m_edge_bias;
-  const Weights<hidden, Input::edge_odd> m_edge_odd;
-  const Weights<hidden, Input::point_even> m_point_even;
-  const Weights<hidden, Input::point_odd> m_point_odd;
-  const Weights<gates, hidden> m_gate;
-  const Weights<gates, 1> m_gate_bias;
-  const Weights<head, head_even> m_head_even;
-  const Weights<head, 1> m_head_bias;
-  const Weights<head, head_odd> m_head_odd;
-  const Weights<odd_inputs, head> m_factor;
-  const Weights<odd_inputs, 1> m_factor_bias;
-  const Weights<head, 1> m_rest;
-  const Weights<head, 1> m_even;
-  const Weights<1, 1> m_even_bias;
+  // in the order in which they are stored, column by column but for the factors
+  const float* const m_edge_even;
+  const float* const m_edge_bias;
+  const float* const m_edge_odd;
+  const float* const m_point_even;
+  const float* const m_point_odd;
+  const float* const m_gate;
+  const float* const m_gate_bias;
+  const float* const m_head_even;
+  const float* const m_head_bias;
+  const float* const m_head_odd;
+  const float* const m_factor;
+  const float* const m_factor_bias;
+  const float* const m_rest;
+  const float* const m_even;
+  const float* const m_even_bias;
 
-  const float* take(int n)
+  const float* take(std::size_t n)
   {
     m_end += n;
     return m_end - n;
@@ -59,9 +94,12 @@ class Learned_network {
 
   /// What is left of the edges: means over the neighbors
   struct Means {
-    Eigen::Matrix<float, head_even, 1> even;
-    Eigen::Matrix<float, head_odd, 1> odd;
+    std::array<float, head_even> even;
+    std::array<float, head_odd> odd;
   };
+
+  typedef typename Input::Edge_lanes Edge_lanes;
+  typedef std::array<Edge_lanes, gates> Gate_lanes;
 
 public:
   struct Output {
@@ -69,9 +107,9 @@ public:
   };
 
   explicit Learned_network(const float* weights)
-      : m_end(weights), m_edge_even(take(hidden * Input::edge_even)), m_edge_bias(take(hidden)),
-        m_edge_odd(take(hidden * Input::edge_odd)), m_point_even(take(hidden * Input::point_even)),
-        m_point_odd(take(hidden * Input::point_odd)), m_gate(take(gates * hidden)),
+      : m_end(weights), m_edge_even(take(hidden * edge_even)), m_edge_bias(take(hidden)),
+        m_edge_odd(take(hidden * edge_odd)), m_point_even(take(hidden * point_even)),
+        m_point_odd(take(hidden * point_odd)), m_gate(take(gates * hidden)),
         m_gate_bias(take(gates)), m_head_even(take(head * head_even)), m_head_bias(take(head)),
         m_head_odd(take(head * head_odd)), m_factor(take(odd_inputs * head)),
         m_factor_bias(take(odd_inputs)), m_rest(take(head)), m_even(take(head)),
@@ -81,57 +119,96 @@ public:
   [[gnu::flatten]] Output operator()(const Input& x) const
   {
     const Means means = over_edges(x);
-    const Eigen::Matrix<float, head, 1> e = m_head_even * means.even + m_head_bias;
-    const Eigen::Matrix<float, head, 1> o = m_head_odd * means.odd;
-    const Eigen::Matrix<float, head, 1> p = (e + o).cwiseMax(0.f), m = (e - o).cwiseMax(0.f);
-    const Eigen::Matrix<float, odd_inputs, 1> factors = m_factor * (p + m) + m_factor_bias;
-    return {factors.dot(means.odd.template tail<odd_inputs>()) + m_rest.dot(p - m),
-            m_even.dot(p + m) + m_even_bias[0]};
+    const float* const odd_means = means.odd.data() + hidden;
+    Lane_vector<head> e(m_head_bias), o, factors;
+    e.template add_product<head_even>(m_head_even, means.even.data());
+    o.template add_product<head_odd>(m_head_odd, means.odd.data());
+    factors.template add_product<odd_inputs>(m_factor, odd_means);
+    const Lane_vector<head> rest(m_rest), to_even(m_even);
+    Lanes odd = Lanes::Zero(), even = Lanes::Zero();
+    for (std::size_t i = 0; i < e.size(); ++i) {
+      const Lanes p = (e[i] + o[i]).max(0.f), m = (e[i] - o[i]).max(0.f);
+      odd += factors[i] * (p + m) + rest[i] * (p - m);
+      even += to_even[i] * (p + m);
+    }
+    double biased = sum(odd);
+    for (std::size_t i = 0; i < odd_inputs; ++i)
+      biased += double(m_factor_bias[i] * odd_means[i]);
+    return {float(biased), float(sum(even)) + *m_even_bias};
   }
 
 private:
+  /// Some weights, each in all four lanes
+  template <std::size_t Size>
+  static std::array<Lanes, Size> same_lanes(const float* weights, std::size_t stride)
+  {
+    std::array<Lanes, Size> lanes;
+    for (std::size_t i = 0; i < Size; ++i)
+      lanes[i].setConstant(weights[i * stride]);
+    return lanes;
+  }
+
   Means over_edges(const Input& x) const
   {
     Means means;
-    const float inverse = 1.f / float(x.size);
-    const Eigen::Matrix<float, hidden, 1> even = m_edge_bias + m_point_even * x.of_point_even,
-                                          odd = m_point_odd * x.of_point_odd;
-    Edge_lanes in_gates[gates];
-    for (int c = 0; c < gates; ++c)
-      in_gates[c].setConstant(m_gate_bias[c]);
-    for (int h = 0; h < hidden; ++h) {
-      Edge_lanes e = Edge_lanes::Constant(even[h]), o = Edge_lanes::Constant(odd[h]);
-      for (int f = 0; f < Input::edge_even; ++f)
-        e += m_edge_even(h, f) * x.even[f];
-      for (int f = 0; f < Input::edge_odd; ++f)
-        o += m_edge_odd(h, f) * x.odd[f];
-      const Edge_lanes p = (e + o).max(0.f), m = (e - o).max(0.f), sum = p + m;
-      means.even[h] = (sum * x.mask).sum() * inverse;
-      means.odd[h] = ((p - m) * x.mask).sum() * inverse;
-      for (int c = 0; c < gates; ++c)
-        in_gates[c] += m_gate(c, h) * sum;
-    }
-    means.even.template segment<Input::point_even>(hidden) = x.of_point_even;
-    weigh(x, in_gates, means);
+    Gate_lanes in_gates;
+    for (std::size_t c = 0; c < gates; ++c)
+      in_gates[c].fill(Lanes::Constant(m_gate_bias[c]));
+    add_hidden(x, in_gates, means);
+    for (std::size_t i = 0; i < point_even; ++i)
+      means.even[hidden + i] = x.of_point_even[i];
+    for (std::size_t i = 0; i < point_odd; ++i)
+      means.odd[hidden + gates * values + i] = x.of_point_odd[i];
+    for (std::size_t c = 0; c < gates; ++c)
+      weigh(x, in_gates[c], means, c);
     return means;
   }
 
-  /// Weighted means of the odd numbers, the distances along both normals among them
-  static void weigh(const Input& x, const Edge_lanes (&in_gates)[gates], Means& means)
+  /// The first layer: its means over the neighbors, and what gets into the gates
+  void add_hidden(const Input& x, Gate_lanes& in_gates, Means& means) const
   {
-    const float few = .001f;
-    const Edge_lanes both = .5f * (x.odd[0] + x.odd[1]);
-    for (int c = 0; c < gates; ++c) {
-      const Edge_lanes& g = in_gates[c];
-      const Edge_lanes weight = .5f * (g + (g.square() + 1.f).sqrt()) * x.mask;
-      const float sum = weight.sum(), factor = 1.f / (sum + few);
-      float* const to = &means.odd[hidden + c * values];
-      for (int f = 0; f < Input::edge_odd; ++f)
-        to[f] = (weight * x.odd[f]).sum() * factor;
-      to[Input::edge_odd] = (weight * both).sum() * factor;
-      means.even[hidden + Input::point_even + c] = std::log(sum / float(x.size) + few);
+    Lane_vector<hidden> even(m_edge_bias), odd;
+    even.template add_product<point_even>(m_point_even, x.of_point_even.data());
+    odd.template add_product<point_odd>(m_point_odd, x.of_point_odd.data());
+    const double inverse = 1. / double(x.size);
+    for (std::size_t h = 0; h < hidden; ++h) {
+      const Lanes of_point_even = Lanes::Constant(even[h / 4][Eigen::Index(h % 4)]),
+                  of_point_odd = Lanes::Constant(odd[h / 4][Eigen::Index(h % 4)]);
+      const auto of_even = same_lanes<edge_even>(m_edge_even + h, hidden),
+                 of_odd = same_lanes<edge_odd>(m_edge_odd + h, hidden),
+                 of_gates = same_lanes<gates>(m_gate + h * gates, 1);
+      Lanes sum_even = Lanes::Zero(), sum_odd = Lanes::Zero();
+      for (std::size_t g = 0; g < x.groups(); ++g) {
+        Lanes e = of_point_even, o = of_point_odd;
+        unroll<edge_even>([&](std::size_t f) { e += x.even[f][g] * of_even[f]; });
+        unroll<edge_odd>([&](std::size_t f) { o += x.odd[f][g] * of_odd[f]; });
+        const Lanes p = (e + o).max(0.f), m = (e - o).max(0.f), both = p + m;
+        sum_even += both * x.mask[g];
+        sum_odd += (p - m) * x.mask[g];
+        unroll<gates>([&](std::size_t c) { in_gates[c][g] += both * of_gates[c]; });
+      }
+      means.even[h] = float(sum(sum_even) * inverse);
+      means.odd[h] = float(sum(sum_odd) * inverse);
     }
-    means.odd.template tail<Input::point_odd>() = x.of_point_odd;
+  }
+
+  /// Weighted means of the odd numbers, the distances along both normals among them
+  static void weigh(const Input& x, const Edge_lanes& in_gate, Means& means, std::size_t c)
+  {
+    Lanes weights = Lanes::Zero();
+    std::array<Lanes, values> weighted;
+    weighted.fill(Lanes::Zero());
+    for (std::size_t g = 0; g < x.groups(); ++g) {
+      const Lanes gate = in_gate[g];
+      const Lanes weight = (gate + (gate * gate + 1.f).sqrt()) * .5f * x.mask[g];
+      weights += weight;
+      unroll<edge_odd>([&](std::size_t f) { weighted[f] += weight * x.odd[f][g]; });
+      weighted[edge_odd] += weight * (x.odd[0][g] + x.odd[1][g]) * .5f;
+    }
+    const double few = .001, total = sum(weights), inverse = 1. / (total + few);
+    means.even[hidden + point_even + c] = float(std::log(total / double(x.size) + few));
+    for (std::size_t f = 0; f < values; ++f)
+      means.odd[hidden + c * values + f] = float(sum(weighted[f]) * inverse);
   }
 };
 

@@ -7,9 +7,10 @@
 #include <CGAL/Point_set_flow/internal/fitting/Covariance_3.h>
 #include <CGAL/Point_set_flow/internal/parallel/Array.h>
 
-#include <Eigen/Dense>
+#include <Eigen/Core>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -23,7 +24,12 @@ namespace internal {
 /// A quadric fitted to a neighborhood by least squares: its residuals are the noise, if the surface is
 /// smooth at this size.
 class Quadric_fit {
-  typedef Eigen::Matrix<double, 6, 1> Vector_6;
+public:
+  static constexpr std::size_t unknowns = 6;
+
+private:
+  typedef std::array<double, unknowns> Vector_6;
+  typedef std::array<Vector_6, unknowns> Matrix_6;
   enum Column { X, Y, XX, XY, YY, HEIGHT, NUMBER_OF_COLUMNS };
 
   double m_radius, m_freedom, m_squares;
@@ -32,8 +38,6 @@ class Quadric_fit {
   Vector_6 m_quadric;
 
 public:
-  static constexpr std::size_t unknowns = 6;
-
   /// \param neighbors the first entry is the point itself
   /// \pre there are more than 6, and the radius is positive
   Quadric_fit(const Array<Point_3>& points, const std::vector<std::uint32_t>& neighbors,
@@ -43,18 +47,21 @@ public:
   {
     find_terms(points, neighbors);
     // The normal equations, which are as good here: within a neighborhood the terms are about 1.
-    Eigen::Matrix<double, 6, 6> products;
+    Matrix_6 products; // the lower triangle
     Vector_6 right;
-    products(0, 0) = double(neighbors.size());
+    products[0][0] = double(neighbors.size());
     right[0] = m_terms.col(HEIGHT).sum();
     for (int i = 1; i < 6; ++i) {
-      products(i, 0) = m_terms.col(i - 1).sum();
-      right[i] = dot(i - 1, HEIGHT);
+      products[std::size_t(i)][0] = m_terms.col(i - 1).sum();
+      right[std::size_t(i)] = dot(i - 1, HEIGHT);
       for (int j = 1; j <= i; ++j)
-        products(i, j) = dot(i - 1, j - 1);
+        products[std::size_t(i)][std::size_t(j)] = dot(i - 1, j - 1);
     }
-    m_quadric = products.ldlt().solve(right); // of the lower triangle
-    m_squares = (std::max)(dot(HEIGHT, HEIGHT) - right.dot(m_quadric), 0.);
+    m_quadric = solve(products, right);
+    m_squares = dot(HEIGHT, HEIGHT);
+    for (std::size_t i = 0; i < unknowns; ++i)
+      m_squares -= right[i] * m_quadric[i];
+    m_squares = (std::max)(m_squares, 0.);
   }
 
   /// the standard deviation of the residuals, with the degrees of freedom of the quadric taken off
@@ -98,10 +105,39 @@ public:
 private:
   double dot(int a, int b) const { return (m_terms.col(a) * m_terms.col(b)).sum(); }
 
+  /// Solves normal equations by the factors \f$LDL^T\f$. Terms that depend on those before get the coefficient 0, as
+  /// where all points are on a line. Eigen's `LDLT` would take the compiler seconds in each program.
+  /// \param a symmetric, the lower triangle; becomes L and D
+  static Vector_6 solve(Matrix_6& a, Vector_6 x)
+  {
+    const double least = 1e-13; // of the square of a term
+    for (std::size_t i = 0; i < unknowns; ++i) {
+      Vector_6 scaled; // row of L, times D
+      double rest = a[i][i];
+      for (std::size_t j = 0; j < i; ++j) {
+        scaled[j] = a[i][j];
+        for (std::size_t k = 0; k < j; ++k)
+          scaled[j] -= scaled[k] * a[j][k];
+        a[i][j] = a[j][j] > 0. ? scaled[j] / a[j][j] : 0.;
+        rest -= scaled[j] * a[i][j];
+        x[i] -= a[i][j] * x[j];
+      }
+      a[i][i] = rest > least * a[i][i] ? rest : 0.;
+    }
+    for (std::size_t i = unknowns; i-- > 0;) {
+      x[i] = a[i][i] > 0. ? x[i] / a[i][i] : 0.;
+      for (std::size_t j = i + 1; j < unknowns; ++j)
+        x[i] -= a[j][i] * x[j];
+    }
+    return x;
+  }
+
   Eigen::ArrayXd residuals() const
   {
-    return m_terms.col(HEIGHT) - (m_terms.leftCols<5>().matrix() * m_quadric.tail<5>()).array() -
-           m_quadric[0];
+    Eigen::ArrayXd heights = m_terms.col(HEIGHT) - m_quadric[0];
+    for (int i = 0; i < HEIGHT; ++i)
+      heights -= m_terms.col(i) * m_quadric[std::size_t(i) + 1];
+    return heights;
   }
 
   void find_terms(const Array<Point_3>& points, const std::vector<std::uint32_t>& neighbors)

@@ -18,24 +18,33 @@ namespace internal {
 /// before found of the neighbors.
 struct Sheet_input : Network_input<3, 3, 4, 2> {
   /// \pre `neighborhood.has_sheets()`; there are neighbors
-  [[gnu::flatten]] explicit Sheet_input(const Neighborhood_3& neighborhood) : Network_input(neighborhood)
+  [[gnu::flatten]] explicit Sheet_input(const Neighborhood_3& neighborhood)
+      : Network_input(neighborhood)
   {
     for (int i = 0; i < size; ++i) {
       const Edge edge = read_edge(neighborhood, i);
       const Sheet_evidence& found = neighborhood.sheets(edge.neighbor);
-      even[2][i] = found.two_sheets;
-      odd[2][i] = found.side * static_cast<float>(edge.side);
+      at(even[2], i) = found.two_sheets;
+      at(odd[2], i) = found.side * static_cast<float>(edge.side);
     }
-    const float mean = odd[0].sum() / float(size);
-    const float variance = ((odd[0] - mean).square() * mask).sum() / float(size);
-    const float least = .001f, unit = (std::max)(std::sqrt(variance), least); // in radii
-    odd[0] = squashed(Edge_lanes(odd[0] / unit));
-    odd[1] = squashed(Edge_lanes(odd[1] / unit));
+    Lanes heights = Lanes::Zero(), squares = Lanes::Zero();
+    for (const Lanes& height : odd[0])
+      heights += height;
+    const float mean = static_cast<float>(sum(heights) / double(size));
+    for (std::size_t g = 0; g < groups(); ++g) {
+      const Lanes difference = (odd[0][g] - mean) * mask[g];
+      squares += difference * difference;
+    }
+    const float least = .001f; // in radii
+    const float unit = (std::max)(float(std::sqrt(sum(squares) / double(size))), least);
+    squash(odd[0], unit);
+    squash(odd[1], unit);
     const Sheet_evidence& own = neighborhood.sheets();
-    of_point_even << std::log(unit), limited(own.excess, 2.),
+    of_point_even = {
+        std::log(unit), limited(own.excess, 2.),
         limited(std::log(neighborhood.noise() / (neighborhood.radius() * double(unit))), 3.),
-        own.two_sheets;
-    of_point_odd << squashed(-mean / unit), own.side;
+        own.two_sheets};
+    of_point_odd = {squashed(-mean / unit), own.side};
   }
 
   /// Outputs of the network as inputs of the next round
