@@ -22,6 +22,19 @@ inline double bumpy_radius(const Vector_3& direction)
          .05 * std::sin(7. * direction.x()) * std::cos(5. * direction.y() + 2. * direction.z());
 }
 
+/// The rms distance of points from the sphere with bumps, along its radius, in spacings
+inline double rms_error(const Points& points)
+{
+  double squares = 0.;
+  for (const Point_3& p : points) {
+    const Vector_3 v = p - CGAL::ORIGIN;
+    const double length = std::sqrt(v.squared_length());
+    const double distance = length - bumpy_radius(v / length);
+    squares += distance * distance;
+  }
+  return std::sqrt(squares / (4. * CGAL_PI)); // the spacing is that of an even sphere
+}
+
 /// A sphere with bumps and noise of half a spacing: `uniform` is spaced evenly, `scan` comes in lines
 /// that are ten times as far from each other as the points on them.
 inline Points bumpy_sphere(const std::string& sampling, std::size_t n)

@@ -14,7 +14,13 @@
 #include <nanoflann.hpp>
 #endif
 
+#ifdef POINT_SET_FLOW_HAS_PCL
+#include "smooth_by_pcl.h"
+#endif
+
 #include <map>
+#include <thread>
+#include <type_traits>
 #include <vector>
 
 namespace comparison {
@@ -55,10 +61,28 @@ void smooth_bilaterally_with_normals(Points& points)
   CGAL::bilateral_smooth_point_set<Concurrency_tag>(numbered, peer_size, numbered_point_maps());
 }
 
+#ifdef POINT_SET_FLOW_HAS_PCL
+/// With a radius that holds as many neighbors as the others have, on a surface of radius 1
+template <typename Concurrency_tag>
+void smooth_by_moving_least_squares(Points& points)
+{
+  const bool is_parallel = !std::is_same<Concurrency_tag, CGAL::Sequential_tag>::value;
+  smooth_by_pcl(points, 2. * std::sqrt(double(peer_size) / double(points.size())),
+                is_parallel ? std::thread::hardware_concurrency() : 1);
+}
+#endif
+
 template <typename Concurrency_tag>
 void smooth_by_balanced_flow(Points& points)
 {
   CGAL::balanced_flow_smooth_point_set<Concurrency_tag>(points);
+}
+
+template <typename Concurrency_tag>
+void smooth_without_learned(Points& points)
+{
+  CGAL::balanced_flow_smooth_point_set<Concurrency_tag>(
+      points, CGAL::parameters::curvature(CGAL::Point_set_flow::Tangent_plane_curvature()));
 }
 
 template <typename Concurrency_tag>
@@ -135,7 +159,11 @@ std::map<std::string, Speed_method> speed_methods()
       {"jet", smooth_by_jets<Concurrency_tag>},
       {"bilateral", smooth_bilaterally<Concurrency_tag>},
       {"bilateral with normals", smooth_bilaterally_with_normals<Concurrency_tag>},
+#ifdef POINT_SET_FLOW_HAS_PCL
+      {"PCL MLS", smooth_by_moving_least_squares<Concurrency_tag>},
+#endif
       {"ours", smooth_by_balanced_flow<Concurrency_tag>},
+      {"ours, not learned", smooth_without_learned<Concurrency_tag>},
       {"ours, k=24", smooth_with_given_k<Concurrency_tag>},
       {"Neighbor_query", find_neighbors_by_cgal<Concurrency_tag>},
 #ifdef POINT_SET_FLOW_HAS_NANOFLANN

@@ -32,11 +32,11 @@ set xlabel "points"
 set ylabel "seconds, one thread"
 set format x "10^{%L}"
 set grid
-plot "<grep -h ',ours,' sizes.csv" using 3:6 with linespoints lw 2 title "ours, whole run", \
-     "<grep -h ',jet,' peer_sizes.csv" using 3:6 with linespoints lw 2 title "jet, one pass", \
-     "<grep -h ',bilateral,' peer_sizes.csv" using 3:6 with linespoints lw 2 title "bilateral, one pass, normals given", \
-     "<grep -h ',our graph,' sizes.csv" using 3:6 with linespoints dt 2 title "our neighbor graph, k=20", \
-     "<grep -h ',Neighbor_query,' peer_sizes.csv" using 3:6 with linespoints dt 2 title "Neighbor\\_query, k=20"
+plot "<grep -h ',ours,' sizes.csv" using 2:5 with linespoints lw 2 title "ours, whole run", \
+     "<grep -h ',jet,' peer_sizes.csv" using 2:5 with linespoints lw 2 title "jet, one pass", \
+     "<grep -h ',bilateral,' peer_sizes.csv" using 2:5 with linespoints lw 2 title "bilateral, one pass, normals given", \
+     "<grep -h ',our graph,' sizes.csv" using 2:5 with linespoints dt 2 title "our neighbor graph, k=20", \
+     "<grep -h ',Neighbor_query,' peer_sizes.csv" using 2:5 with linespoints dt 2 title "Neighbor\\_query, k=20"
 set output "cost.svg"
 unset logscale
 set datafile separator "|"
