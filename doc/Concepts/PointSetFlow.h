@@ -38,7 +38,8 @@ public:
   typedef unspecified_type Stays_in_neighborhood;
 
   /// Optional: `CGAL::Tag_true` to declare that the flow ends where the surface is, so that an estimator that
-  /// declares `number_of_corrections` may correct the result. `CGAL::Tag_false` if missing.
+  /// declares `number_of_corrections` may correct the result. With an estimator that uses the surface estimate,
+  /// points without noise that are at their reference points are not moved. `CGAL::Tag_false` if missing.
   typedef unspecified_type Is_correctable;
 
   /// returns the motion of the point `u` in one step of length 1, in the unit of the data. `g` is

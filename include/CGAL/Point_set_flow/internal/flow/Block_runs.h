@@ -5,6 +5,7 @@
 #include <CGAL/license/Point_set_flow.h>
 
 #include <CGAL/Point_set_flow/internal/flow/Flow_run.h>
+#include <CGAL/Point_set_flow/internal/neighbors/Block_cutter.h>
 
 #include <algorithm>
 #include <cstddef>

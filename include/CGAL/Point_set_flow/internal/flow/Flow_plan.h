@@ -31,6 +31,7 @@ public:
   /// whether the diffusivity is that of the prefiltered surface. An estimator that knows the noise
   /// needs no filter: its variation is what the noise does not explain.
   const bool is_prefiltered;
+  const bool may_rest; ///< whether points without noise stay, and drop out of the steps
   const bool is_k_given, is_noise_given;
   const Curvature_defaults defaults;
   const unsigned int number_of_iterations, update_period, number_of_relaxation_steps;
@@ -50,6 +51,7 @@ public:
             const Flow_parameters& parameters, double unit_)
       : uses_surface_estimate(Uses_surface_estimate<Curvature>::value),
         is_prefiltered(uses_prefilter(flow) && !uses_surface_estimate),
+        may_rest(uses_surface_estimate && is_correctable(flow)),
         is_k_given(parameters.k.has_value()), is_noise_given(points.buffer().noise.is_given()),
         defaults(Defaults_of<Curvature>::get()),
         number_of_iterations(

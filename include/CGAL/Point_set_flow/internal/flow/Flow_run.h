@@ -12,10 +12,11 @@
 #include <CGAL/Point_set_flow/internal/flow/prefilter.h>
 #include <CGAL/Point_set_flow/internal/flow/Moves.h>
 #include <CGAL/Point_set_flow/internal/flow/Relaxation.h>
+#include <CGAL/Point_set_flow/internal/flow/Rest_reason.h>
+#include <CGAL/Point_set_flow/internal/flow/Resting_points.h>
 #include <CGAL/Point_set_flow/internal/flow/sides.h>
 #include <CGAL/Point_set_flow/internal/flow/tangent_planes.h>
-#include <CGAL/Point_set_flow/internal/neighbors/Block_cutter.h>
-#include <CGAL/Point_set_flow/internal/flow/Rest_reason.h>
+#include <CGAL/Point_set_flow/internal/neighbors/Block.h>
 #include <CGAL/Point_set_flow/internal/parallel/Compact_vector_3.h>
 
 #include <algorithm>
@@ -41,6 +42,7 @@ class Flow_run {
   Loops<ConcurrencyTag>& m_loops;
   Surface_state m_state;
   Moves m_moves;
+  Resting_points m_resting;
   Array<double> m_filtered_variation; // of the prefiltered surface, if the flow looks at it
 
 public:
@@ -79,25 +81,26 @@ public:
         m_loops.begin_stage(stage_costs::prefilter);
         prefilter(m_block.current_points(), m_block.graph, m_plan.filter_width, filtered, m_loops);
         m_filtered_variation.resize(filtered.size());
-        find_planes(filtered, [&](std::size_t i, const Tangent_plane_3& plane) {
+        m_loops.begin_stage(stage_costs::planes);
+        const auto take = [&](std::size_t i, const Tangent_plane_3& plane) {
           m_filtered_variation[i] = plane.variation;
-        });
+        };
+        find_tangent_planes(surface(filtered), m_curvature, take, m_loops);
       }
       if (uses_surface_estimate) {
-        Array<Compact_tangent_plane_3> planes(m_block.reference.size());
-        find_planes(m_block.current_points(), [&](std::size_t i, const Tangent_plane_3& plane) {
-          planes[i] = Compact_tangent_plane_3(plane.normal, plane.variation);
-        });
-        m_state.planes.swap(planes);
-        if (t == 0)
+        find_planes();
+        if (t == 0) {
           adapt_neighborhoods(m_block, m_state, m_plan, m_curvature, m_loops);
+          m_resting.find(m_block.graph, m_state.noise.size(),
+                         [&](std::size_t i) { return is_at_rest(i); });
+        }
       }
 
-      allocate_points();
+      m_block.allocate_points(m_loops);
       m_moves.resize(m_block.points.size());
       step(); // also if nothing moves: whether that is so depends on where blocks end
     }
-    allocate_points(); // without iterations
+    m_block.allocate_points(m_loops); // without iterations
     if constexpr (is_corrected)
       if (m_plan.number_of_corrections > 0) {
         m_state.residuals = m_moves.residuals(m_state);
@@ -129,8 +132,7 @@ public:
     return Rest_reason::OTHER;
   }
 
-  /// The normals of the points where they are now; null vectors where there are fewer than two
-  /// neighbors, hence no plane.
+  /// The normals of the points where they are now; null vectors where there is no plane.
   Array<Vector_3> find_normals()
   {
     Array<Vector_3> normals(m_block.points.size());
@@ -183,41 +185,42 @@ private:
     return {points, m_block.graph, m_state, narrowing};
   }
 
-  template <typename Take>
-  void find_planes(const Array<Point_3>& points, const Take& take)
+  /// The tangent planes of the points where they are now
+  void find_planes()
   {
     m_loops.begin_stage(stage_costs::planes);
-    find_tangent_planes(surface(points), m_curvature, take, m_loops);
-  }
-
-  /// Allocates the moving points when they are first needed, to save memory.
-  void allocate_points()
-  {
-    if (!m_block.points.empty())
-      return;
-    m_block.points.resize(m_block.reference.size());
-    const auto copy = [&](std::size_t begin, std::size_t end) {
-      std::copy(m_block.reference.begin() + std::ptrdiff_t(begin),
-                m_block.reference.begin() + std::ptrdiff_t(end),
-                m_block.points.begin() + std::ptrdiff_t(begin));
-    };
-    m_loops.for_each_chunk(m_block.points.size(), copy);
+    Array<Compact_tangent_plane_3> planes = m_state.planes; // all at once
+    planes.resize(m_block.reference.size());
+    find_tangent_planes(
+        surface(m_block.current_points()), m_curvature,
+        [&](std::size_t i) { return m_resting.needs_plane(i); },
+        [&](std::size_t i, const Tangent_plane_3& plane) {
+          planes[i] = Compact_tangent_plane_3(plane.normal, plane.variation);
+        },
+        m_loops);
+    m_state.planes.swap(planes);
   }
 
   bool may_move(std::size_t i) const { return !m_block.is_constrained(i) && !is_isolated(i); }
 
+  /// Whether a point is where it was measured, and has no noise: it stays in all steps.
+  bool is_at_rest(std::size_t i) const
+  {
+    return m_plan.may_rest && !(m_state.noise[i] > 0.) && m_block.forcing(i) == NULL_VECTOR;
+  }
+
   bool is_isolated(std::size_t i) const { return surface(m_block.points).is_isolated(i); }
 
-  /// One explicit step: \f$u \leftarrow u + s\,\partial u / \partial t\f$ for all points at once, so
-  /// that the result does not depend on the order of the points or on threads.
+  /// One explicit step: \f$u \leftarrow u + s\,\partial u / \partial t\f$, for all points at once
   void step()
   {
     const Surface before = surface(m_block.points);
     m_loops.begin_stage(stage_costs::step, 2);
     m_loops.for_each_chunk(before.size(), [&](std::size_t begin, std::size_t end) {
       for (std::size_t i = begin; i < end; ++i)
-        m_moves.set(i, may_move(i) ? motion(before, i) * (m_plan.step_length / m_plan.unit)
-                                   : Vector_3(NULL_VECTOR));
+        m_moves.set(i, may_move(i) && !is_at_rest(i)
+                           ? motion(before, i) * (m_plan.step_length / m_plan.unit)
+                           : Vector_3(NULL_VECTOR));
     });
     m_loops.for_each_chunk(before.size(), [&](std::size_t begin, std::size_t end) {
       for (std::size_t i = begin; i < end; ++i)
@@ -225,18 +228,17 @@ private:
     });
   }
 
-  /// \f$\partial u / \partial t\f$, in the unit of the data, which the flow sees
+  /// \f$\partial u / \partial t\f$, in the unit of the data
   Vector_3 motion(const Surface& before, std::size_t i) const
   {
     const Neighborhood_3 neighborhood = before.neighborhood(i);
-    // estimators that do not use the normals of neighbors need no memory for them
-    const Tangent_plane_3 plane =
+    const Tangent_plane_3 plane = // without memory for those of neighbors, if they are not used
         uses_surface_estimate ? m_state.plane(i) : tangent_plane_of(neighborhood, m_curvature);
     const double curvature =
         neighborhood.size() >= 2 ? m_curvature.directional_curvature(neighborhood, plane) : 0.;
     return m_flow({plane.normal, curvature * m_plan.unit, plane.variation,
                    m_plan.is_prefiltered ? m_filtered_variation[i] : plane.variation,
-                   (m_block.reference[i] - m_block.points[i]) * m_plan.unit},
+                   m_block.forcing(i) * m_plan.unit},
                   m_state.parameters(i).diffusivity);
   }
 };

@@ -6,7 +6,9 @@
 
 #include <CGAL/Point_set_flow/internal/neighbors/Neighbor_graph.h>
 #include <CGAL/Point_set_flow/internal/order/Point_buffer.h>
+#include <CGAL/Point_set_flow/internal/parallel/Loops.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <utility>
@@ -29,6 +31,23 @@ struct Block {
   Array<Vector_3> sides;               ///< the given ones; empty if none is known
 
   const Array<Point_3>& current_points() const { return points.empty() ? reference : points; }
+  /// Where the points start is allocated when it is first needed, to save memory.
+  template <typename ConcurrencyTag>
+  void allocate_points(Loops<ConcurrencyTag>& loops)
+  {
+    if (!points.empty())
+      return;
+    points.resize(reference.size());
+    loops.for_each_chunk(points.size(), [&](std::size_t begin, std::size_t end) {
+      std::copy(reference.begin() + std::ptrdiff_t(begin), reference.begin() + std::ptrdiff_t(end),
+                points.begin() + std::ptrdiff_t(begin));
+    });
+  }
+  /// The vector from a point back to its reference point
+  Vector_3 forcing(std::size_t i) const
+  {
+    return points.empty() ? Vector_3(NULL_VECTOR) : reference[i] - points[i];
+  }
   bool is_constrained(std::size_t i) const { return !constrained.empty() && constrained[i]; }
   std::size_t interior_size() const
   {
