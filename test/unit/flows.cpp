@@ -10,6 +10,7 @@
 #include <CGAL/balanced_flow_smooth_point_set.h>
 
 #include <numeric>
+#include <random>
 
 namespace np = CGAL::parameters;
 using namespace CGAL::Point_set_flow;
@@ -319,4 +320,35 @@ BOOST_AUTO_TEST_CASE(a_type_erased_flow_gives_bitwise_the_result_of_its_model)
 {
   check_erased_flows(Covariance_curvature());
   check_erased_flows(Tangent_plane_curvature());
+}
+
+namespace {
+/// The balanced flow, as one that may move points without noise
+struct Restless_flow : Balanced_flow {
+  typedef CGAL::Tag_false Is_correctable;
+};
+} // namespace
+
+BOOST_AUTO_TEST_CASE(points_without_noise_drop_out_and_leave_no_trace)
+{
+  Points noisy; // a plane, half of it
+  std::mt19937 random(3);
+  std::normal_distribution<double> normal;
+  std::uniform_real_distribution<double> jitter(-.4, .4);
+  for (int x = -30; x < 30; ++x)
+    for (int y = 0; y < 40; ++y)
+      noisy.emplace_back(x + jitter(random), y + jitter(random), x < 0 ? 0. : .3 * normal(random));
+  const auto run = [&](const Any_flow& flow) {
+    Points points = noisy;
+    CGAL::balanced_flow_smooth_point_set<CGAL::Parallel_if_available_tag>(
+        points, 20, np::flow(flow).curvature(Tangent_plane_curvature()));
+    return points;
+  };
+  const Points points = run(Balanced_flow());
+  BOOST_TEST((points == run(Restless_flow())));
+  std::size_t resting = 0;
+  for (std::size_t i = 0; i < points.size(); ++i)
+    resting += points[i] == noisy[i];
+  BOOST_TEST(resting > points.size() / 4);
+  BOOST_TEST(resting < 3 * points.size() / 4);
 }
