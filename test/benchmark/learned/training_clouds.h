@@ -102,6 +102,20 @@ inline void round_along(Points& points, double step, std::mt19937& random)
   }
 }
 
+/// Moves each point with one of some scans, as a registration error does: by `error` in a random direction.
+inline void misalign(Points& points, double error, std::mt19937& random)
+{
+  std::normal_distribution<double> normal;
+  std::vector<Vector_3> offsets(std::uniform_int_distribution<std::size_t>(2, 4)(random));
+  for (Vector_3& offset : offsets) {
+    offset = Vector_3(normal(random), normal(random), normal(random));
+    offset = offset * (error / std::sqrt(offset.squared_length()));
+  }
+  std::uniform_int_distribution<std::size_t> scan(0, offsets.size() - 1);
+  for (Point_3& p : points)
+    p = p + offsets[scan(random)];
+}
+
 /// Noisy points on a surface
 struct Training_cloud {
   std::string name;
@@ -139,17 +153,19 @@ inline Training_cloud training_cloud(unsigned int seed)
                        : way < .5  ? sample_mesh(*cloud.surface, n, seed, tenfold_density).points
                                    : sample_mesh(*cloud.surface, n, seed).points;
   const double share = uniform(0., 1.);
-  const double noise = share < .07 ? uniform(0., .06) : std::pow(10., uniform(-1.4, .45));
   const double which = uniform(0., 1.);
-  const std::string model = which < .55   ? "Gaussian"
-                            : which < .65 ? "uniform"
+  const std::string model = which < .48   ? "Gaussian"
+                            : which < .66 ? "uniform"
                             : which < .73 ? "Laplace"
                             : which < .83 ? "directional"
                             : which < .92 ? "varying"
                                           : "outliers";
+  const double noise = share < .07 ? uniform(0., .06) : std::pow(10., uniform(-1.4, .45));
   const double sigma = model == "directional" ? 1.7 * noise * spacing : noise * spacing;
   Noisy_points noisy = add_noise(clean, model, sigma, seed + 1);
   cloud.points = std::move(noisy.points);
+  if (uniform(0., 1.) < .1)
+    misalign(cloud.points, std::pow(10., uniform(-.3, .6)) * sigma, random);
   if (uniform(0., 1.) < .07)
     round_along(cloud.points, uniform(.1, 3.) * sigma, random);
   cloud.inlier = std::move(noisy.inlier);
