@@ -4,6 +4,7 @@
 #   train_all.sh BUILD FOLDER
 # BUILD has POINT_SET_FLOW_BUILD_BENCHMARKS=ON. FOLDER receives records, about 7 GB, and weights.
 set -eu
+PATH=/usr/bin:$PATH # the Python that python3-torch is for
 here=$(realpath "$(dirname "$0")")
 build=$(realpath "$1")
 header=$here/../../../include/CGAL/Point_set_flow/internal/fitting/learned_weights.h
@@ -24,7 +25,7 @@ record() { # record PROGRAM NAME FIRST LAST: in two processes
 train() { # train TASK NAME OPTIONS: with the records of this name
   task=$1 name=$2
   shift 2
-  "$here/train.py" "$task" "${name}_1.bin" "${name}_2.bin" --out "$name.txt" --threads 2 "$@" | tee "$name.log"
+  "$here/train.py" "$task" "${name}_1.bin" "${name}_2.bin" --out "$name.txt" --threads 2 "$@" > "$name.log"
   rm "${name}_1.bin" "${name}_2.bin"
 }
 
