@@ -181,9 +181,9 @@ void append(std::vector<float>& numbers, const Input& x)
   numbers.insert(numbers.end(), x.of_point_even.data(), x.of_point_even.data() + Input::point_even);
   numbers.insert(numbers.end(), x.of_point_odd.data(), x.of_point_odd.data() + Input::point_odd);
   for (const auto& lanes : x.even)
-    numbers.insert(numbers.end(), lanes.data(), lanes.data() + lanes.size());
+    numbers.insert(numbers.end(), lanes.front().data(), lanes.front().data() + Input::most);
   for (const auto& lanes : x.odd)
-    numbers.insert(numbers.end(), lanes.data(), lanes.data() + lanes.size());
+    numbers.insert(numbers.end(), lanes.front().data(), lanes.front().data() + Input::most);
 }
 
 /// Calls `visit(seed, cloud, out)` for the clouds that the arguments of a program name: the file for the output, and
