@@ -55,7 +55,7 @@ public:
 int main(int argc, char** argv)
 {
   return for_each_training_cloud(
-      argc, argv, [](unsigned int seed, const Training_cloud& cloud, std::ofstream& out) {
+      argc, argv, false, [](unsigned int seed, const Training_cloud& cloud, std::ofstream& out) {
         const flow::Coordinate_frame frame =
             flow::find_coordinate_frame<CGAL::Sequential_tag>(cloud.points);
         Points smoothed = cloud.points;

@@ -157,7 +157,7 @@ class Sheets(Task):
                 f" one sheet: {c['wrongly'] / c['one']:.3f} with a side")
 
 
-def fit_gate(task, out, kept=0.9):
+def fit_gate(task, out, kept=0.95):
     """Logistic regression on what the round before found: records are of round 1. Writes the weights so that the
     gate opens for so many of the points that were rightly found."""
     x = task.rows[:, 3:6]

@@ -125,7 +125,8 @@ struct Training_cloud {
 };
 
 /// The cloud of a number: shape, size, noise and sampling are drawn at random.
-inline Training_cloud training_cloud(unsigned int seed)
+/// \param misaligned whether some consist of scans that do not meet: no correction can bring these together
+inline Training_cloud training_cloud(unsigned int seed, bool misaligned)
 {
   std::mt19937 random(seed * 7919u + 17u);
   const auto uniform = [&](double low, double high) {
@@ -164,7 +165,7 @@ inline Training_cloud training_cloud(unsigned int seed)
   const double sigma = model == "directional" ? 1.7 * noise * spacing : noise * spacing;
   Noisy_points noisy = add_noise(clean, model, sigma, seed + 1);
   cloud.points = std::move(noisy.points);
-  if (uniform(0., 1.) < .1)
+  if (misaligned && uniform(0., 1.) < .1)
     misalign(cloud.points, std::pow(10., uniform(-.3, .6)) * sigma, random);
   if (uniform(0., 1.) < .07)
     round_along(cloud.points, uniform(.1, 3.) * sigma, random);
@@ -188,8 +189,9 @@ void append(std::vector<float>& numbers, const Input& x)
 
 /// Calls `visit(seed, cloud, out)` for the clouds that the arguments of a program name: the file for the output, and
 /// the first number and the one after the last.
+/// \param misaligned see `training_cloud()`
 template <typename Visit>
-int for_each_training_cloud(int argc, char** argv, const Visit& visit)
+int for_each_training_cloud(int argc, char** argv, bool misaligned, const Visit& visit)
 {
   if (argc != 4) {
     std::fprintf(stderr, "usage: %s OUT FIRST LAST\n", argv[0]);
@@ -198,7 +200,7 @@ int for_each_training_cloud(int argc, char** argv, const Visit& visit)
   std::ofstream out(argv[1], std::ios::binary);
   const auto last = static_cast<unsigned int>(std::stoul(argv[3]));
   for (auto seed = static_cast<unsigned int>(std::stoul(argv[2])); seed < last; ++seed) {
-    const Training_cloud cloud = training_cloud(seed);
+    const Training_cloud cloud = training_cloud(seed, misaligned);
     if (cloud.surface)
       visit(seed, cloud, out);
     std::fflush(stdout);
