@@ -111,14 +111,14 @@ struct Sheets {
 inline signed char side_of(double height) { return height > 0. ? 1 : height < 0. ? -1 : 0; }
 
 /// Whether the evidence that an estimator finds is strong enough. A sheet that is overlooked costs more than
-/// one that is not there, hence less than even odds.
-/// \param of_scans the share of the variance that the scans explain: then layers are a registration error
-inline bool is_likely(const Sheet_evidence& evidence, double of_scans)
+/// one that is not there, hence less than even odds; but where the noise is wider than the spacing, a rough surface
+/// looks like two sheets more often.
+inline bool is_likely(const Sheet_evidence& evidence, const Local_parameters& local)
 {
-  const float least = -1.f, least_side = 1.f; // logarithms of the odds
-  const double explained = .25;
-  return evidence.two_sheets > least && std::abs(evidence.side) > least_side &&
-         of_scans < explained;
+  const double wide = 1.2;                                              // in spacings
+  const float least = local.noise > wide * local.spacing ? -1.f : -2.f; // logarithms of the odds
+  const float least_side = 1.f;
+  return evidence.two_sheets > least && std::abs(evidence.side) > least_side;
 }
 
 /// How the sides that are found agree with those of the neighbors that are known: 1 if they are the same, -1 if
@@ -137,7 +137,7 @@ inline int agreement_of_sides(const Surface& surface, std::size_t i)
       continue;
     if (state.sheets.empty())
       return 0;
-    if (!is_likely(state.sheets[k], 0.))
+    if (!is_likely(state.sheets[k], state.parameters(k)))
       continue;
     ++known;
     alike += state.sides[k] * state.planes[k].normal() * double(state.sheets[k].side) > 0.;
@@ -196,8 +196,9 @@ Sheets fit_sheets(const Surface& surface, const Array<Distance_moments>& moments
         sheets.sizes[i] = fit.size;
         holds_two_sheets = fit.holds_two_sheets;
       }
-      if (!surface.state.sheets.empty() &&
-          is_likely(surface.state.sheets[i], local.layers.of_scans)) {
+      const double explained = .25; // by the scans: then layers are a registration error
+      if (!surface.state.sheets.empty() && local.layers.of_scans < explained &&
+          is_likely(surface.state.sheets[i], local)) {
         holds_two_sheets = true;
         sheets.sides[i] = side_of(double(surface.state.sheets[i].side));
       }
