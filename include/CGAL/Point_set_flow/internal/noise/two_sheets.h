@@ -113,10 +113,11 @@ inline signed char side_of(double height) { return height > 0. ? 1 : height < 0.
 /// Whether the evidence that an estimator finds is strong enough. A sheet that is overlooked costs more than
 /// one that is not there, hence less than even odds; but where the noise is wider than the spacing, a rough surface
 /// looks like two sheets more often.
-inline bool is_likely(const Sheet_evidence& evidence, const Local_parameters& local)
+/// \param noise within the sheets, in spacings
+inline bool is_likely(const Sheet_evidence& evidence, double noise)
 {
-  const double wide = 1.2;                                              // in spacings
-  const float least = local.noise > wide * local.spacing ? -1.f : -2.f; // logarithms of the odds
+  const double wide = 1.2;
+  const float least = noise > wide ? -1.f : -2.f; // logarithms of the odds
   const float least_side = 1.f;
   return evidence.two_sheets > least && std::abs(evidence.side) > least_side;
 }
@@ -137,7 +138,8 @@ inline int agreement_of_sides(const Surface& surface, std::size_t i)
       continue;
     if (state.sheets.empty())
       return 0;
-    if (!is_likely(state.sheets[k], state.parameters(k)))
+    const double narrow = 0.; // theirs is being reduced
+    if (!is_likely(state.sheets[k], narrow))
       continue;
     ++known;
     alike += state.sides[k] * state.planes[k].normal() * double(state.sheets[k].side) > 0.;
@@ -198,7 +200,7 @@ Sheets fit_sheets(const Surface& surface, const Array<Distance_moments>& moments
       }
       const double explained = .25; // by the scans: then layers are a registration error
       if (!surface.state.sheets.empty() && local.layers.of_scans < explained &&
-          is_likely(surface.state.sheets[i], local)) {
+          is_likely(surface.state.sheets[i], noise[i] / local.spacing)) {
         holds_two_sheets = true;
         sheets.sides[i] = side_of(double(surface.state.sheets[i].side));
       }
