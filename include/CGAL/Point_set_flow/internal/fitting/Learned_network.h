@@ -174,9 +174,9 @@ private:
     for (std::size_t h = 0; h < hidden; ++h) {
       const Lanes of_point_even = Lanes::Constant(even[h / 4][Eigen::Index(h % 4)]),
                   of_point_odd = Lanes::Constant(odd[h / 4][Eigen::Index(h % 4)]);
-      const auto of_even = same_lanes<edge_even>(m_edge_even + h, hidden),
-                 of_odd = same_lanes<edge_odd>(m_edge_odd + h, hidden),
-                 of_gates = same_lanes<gates>(m_gate + h * gates, 1);
+      const auto of_even = same_lanes<edge_even>(m_edge_even + h, hidden);
+      const auto of_odd = same_lanes<edge_odd>(m_edge_odd + h, hidden);
+      const auto of_gates = same_lanes<gates>(m_gate + h * gates, 1);
       Lanes sum_even = Lanes::Zero(), sum_odd = Lanes::Zero();
       for (std::size_t g = 0; g < x.groups(); ++g) {
         Lanes e = of_point_even, o = of_point_odd;
