@@ -63,9 +63,7 @@ BOOST_AUTO_TEST_CASE(parts_of_the_points_have_numbers_of_neighbors_of_their_own)
   const Points points = points_of_all_kinds();
   Loops loops(nullptr, 1.);
   const internal::Neighbor_tree tree(points, loops);
-  internal::Array<std::uint32_t> part_of;
-  for (std::size_t i = 0; i < points.size(); ++i)
-    part_of.push_back(std::uint32_t(i / 50 % 3));
+  const internal::Array<std::uint32_t> part_of = three_parts(points.size(), 50);
   const std::vector<std::uint32_t> sizes = {5, 40, 1000000};
   const internal::Neighbor_graph graph(tree, {0, 0., sizes, &part_of}, loops);
   for (std::size_t part = 0; part < 3; ++part) {
@@ -145,9 +143,7 @@ BOOST_AUTO_TEST_CASE(a_graph_adapts_to_other_numbers_of_neighbors)
   const Points points = points_of_all_kinds();
   Loops loops(nullptr, 1.);
   const internal::Neighbor_tree tree(points, loops);
-  internal::Array<std::uint32_t> part_of;
-  for (std::size_t i = 0; i < points.size(); ++i)
-    part_of.push_back(std::uint32_t(i / 5 % 3));
+  const internal::Array<std::uint32_t> part_of = three_parts(points.size(), 5);
   const internal::Search_options search = {0, 0., {7, 20, 50}, &part_of};
   const internal::Neighbor_graph expected(tree, search, loops);
   internal::Neighbor_graph graph(tree, {20}, loops);

@@ -44,6 +44,16 @@ inline Points points_of_all_kinds()
   return points;
 }
 
+/// Three parts that alternate along the points
+/// \param run the number of points in a row that are in one part
+inline internal::Array<std::uint32_t> three_parts(std::size_t n, std::size_t run)
+{
+  internal::Array<std::uint32_t> part_of;
+  for (std::size_t i = 0; i < n; ++i)
+    part_of.push_back(std::uint32_t(i / run % 3));
+  return part_of;
+}
+
 /// All other points, nearest first, ties by index
 inline std::vector<internal::Neighbor> by_distance(const Points& points, std::size_t i)
 {

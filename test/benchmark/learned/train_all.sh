@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # Makes learned_weights.h anew: records, trains and writes one network after the other, as README.md says.
 #   train_all.sh BUILD FOLDER
-# BUILD has POINT_SET_FLOW_BUILD_BENCHMARKS=ON. FOLDER receives records, about 7 GB, and weights.
+# BUILD has POINT_SET_FLOW_BUILD_BENCHMARKS=ON. FOLDER receives weights, and for a time the records of each step.
 set -eu
 PATH=/usr/bin:$PATH # the Python that python3-torch is for
 here=$(realpath "$(dirname "$0")")
