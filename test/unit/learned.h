@@ -25,6 +25,7 @@ struct Case {
   std::vector<Compact_tangent_plane_3> planes;
   std::vector<double> residuals;
   std::vector<Sheet_evidence> sheets;
+  double deviation, excess;
 
   explicit Case(unsigned int seed)
   {
@@ -32,13 +33,14 @@ struct Case {
     std::normal_distribution<double> normal;
     const std::size_t n = 3 + random() % 60;
     const double thickness = .1 * double(seed % 5);
+    deviation = .1 + thickness;
+    excess = normal(random) - 1.;
     for (std::size_t i = 0; i < n; ++i) {
       points.emplace_back(normal(random), normal(random), thickness * normal(random));
       const Vector_3 v(.3 * normal(random), .3 * normal(random), i % 3 == 0 ? 1. : -1.);
       planes.push_back(v / std::sqrt(v.squared_length()));
       residuals.push_back(.1 * normal(random));
-      sheets.push_back(
-          {.1 + thickness, normal(random) - 1., float(normal(random)), float(normal(random))});
+      sheets.push_back({float(normal(random)), float(normal(random))});
       if (i > 0)
         others.push_back(std::uint32_t(i));
     }
@@ -50,6 +52,7 @@ struct Case {
     s.noise = .1, s.spacing = .5, s.time = 1.;
     s.residuals = residuals.data();
     s.sheets = sheets.data();
+    s.deviation = deviation, s.excess = excess;
     return s;
   }
   double radius() const

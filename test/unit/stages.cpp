@@ -121,7 +121,7 @@ BOOST_AUTO_TEST_CASE(thin_parts_are_distinguished_from_noise)
         {layer, spacing, 60, 12, .6, {}, Diffusivity(0.)}};
     internal::Surface_state state = {{}, {}, {}, parts, 0., {}};
     state.planes.assign(points.size(), Vector_3(0, 0, 1));
-    state.noise.assign(points.size(), layer);
+    state.noise.assign(points.size(), float(layer / spacing));
     state.part_of.assign(points.size(), 0);
     const auto fit = [&](bool is_given) {
       const internal::Surface surface{points, graph, state};
@@ -134,7 +134,7 @@ BOOST_AUTO_TEST_CASE(thin_parts_are_distinguished_from_noise)
     };
     const internal::Array<std::uint32_t> sizes = fit(false).sizes;
     const double noise =
-        std::accumulate(state.noise.begin(), state.noise.end(), 0.) / double(points.size());
+        std::accumulate(state.noise.begin(), state.noise.end(), 0.) / double(points.size()) * spacing;
     const double size = std::accumulate(sizes.begin(), sizes.end(), 0.) / double(points.size());
     BOOST_TEST_CONTEXT(thin)
     {
@@ -145,7 +145,7 @@ BOOST_AUTO_TEST_CASE(thin_parts_are_distinguished_from_noise)
         BOOST_TEST(size > 30.);
     }
     // what the caller gives is not doubted
-    const internal::Array<double> given = state.noise;
+    const internal::Array<float> given = state.noise;
     fit(true);
     BOOST_TEST((state.noise == given));
   }

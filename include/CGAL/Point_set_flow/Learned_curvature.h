@@ -49,7 +49,7 @@ public:
     const float least = -4.f; // of the network
     const bool is_excluded =
         round > 0 ? found.two_sheets == least
-                  : !(found.deviation > 0.) ||
+                  : !(neighborhood.deviation() > 0.) ||
                         internal::Sheet_gate(neighborhood)(internal::sheet_gate_weights) < 0.;
     if (is_excluded) {
       found.two_sheets = least;

@@ -5,6 +5,7 @@
 #include <CGAL/license/Point_set_flow.h>
 
 #include <CGAL/Point_set_flow/Core_kernel.h>
+#include <CGAL/Point_set_flow/Side_3.h>
 #include <CGAL/Point_set_flow/Tangent_plane_3.h>
 
 #include <boost/config.hpp>
@@ -19,8 +20,6 @@ namespace Point_set_flow {
 /// \ingroup PkgPointSetFlowCurvature
 /// Whether the neighbors of a point are those of two sheets of the surface, and on which one the point is.
 struct Sheet_evidence {
-  double deviation = 0.;  ///< the standard deviation of the heights around the point
-  double excess = 0.;     ///< their excess kurtosis, negative for two sheets
   float two_sheets = 0.f; ///< the logarithm of the odds that there are two
   float side = 0.f; ///< the logarithm of the odds that the point is on the side to which its normal points
 };
@@ -32,13 +31,16 @@ struct Surface_estimate_3 {
   double noise = 0.;                               ///< the standard deviation of the noise
   double spacing = 0.;                             ///< the spacing around the point
   double time = 0.; ///< 0 in the first step of the flow, 1 in the last
-  /// for each point, a vector to the side of the surface on which it was measured, given or found; null
-  /// vectors where no side is known or to be trusted; or null
-  const Vector_3* sides = nullptr;
+  /// for each point, the side of the surface on which it was measured, given or found, if it is known and to be
+  /// trusted; or null
+  const Side_3* sides = nullptr;
   /// for each point, how far it was above the place where it is now before the flow, along its normal;
   /// or null
   const double* residuals = nullptr;
   const Sheet_evidence* sheets = nullptr; ///< for each point, or null
+  /// the standard deviation of the distances from the tangent planes around the point, if there is evidence of sheets
+  double deviation = 0.;
+  double excess = 0.; ///< the excess kurtosis of these distances, negative for two sheets
 };
 
 /// \cond SKIP_IN_MANUAL
@@ -134,17 +136,17 @@ public:
 
   /// whether the side of the point is known: the caller gave a normal that is trusted, or two sheets were
   /// told apart
-  bool is_sided() const { return m_surface.sides && m_surface.sides[m_center] != NULL_VECTOR; }
+  bool is_sided() const { return m_surface.sides && m_surface.sides[m_center].is_known(); }
   /// whether a neighbor is known to be on the opposite side, hence another sheet of the surface
   /// \pre `is_sided()`
   bool is_opposite(std::size_t j) const
   {
-    const Vector_3& other = m_surface.sides[m_neighbors[j]];
-    if (other == NULL_VECTOR)
+    const Side_3& other = m_surface.sides[m_neighbors[j]];
+    if (!other.is_known())
       return false;
     if (has_normals()) // which are oriented as the sides, and more accurate
       return normal(j) * normal() < 0.;
-    return other * m_surface.sides[m_center] < 0.;
+    return other.vector() * side() < 0.;
   }
 
   /// whether there is evidence of sheets: in `find_sheets()` only
@@ -155,6 +157,13 @@ public:
   /// what the round before found of a neighbor
   /// \pre `has_sheets()`
   const Sheet_evidence& sheets(std::size_t j) const { return m_surface.sheets[m_neighbors[j]]; }
+
+  /// the standard deviation of the distances from the tangent planes
+  /// \pre `has_sheets()`
+  double deviation() const { return m_surface.deviation; }
+  /// the excess kurtosis of these distances
+  /// \pre `has_sheets()`
+  double excess_kurtosis() const { return m_surface.excess; }
 
   /// whether the residuals are known: in `correction()` only
   bool has_residuals() const { return m_surface.residuals != nullptr; }
@@ -174,7 +183,7 @@ public:
   double time() const { return m_surface.time; }
 
   /// \cond SKIP_IN_MANUAL
-  const Vector_3& side() const { return m_surface.sides[m_center]; }
+  Vector_3 side() const { return m_surface.sides[m_center].vector(); }
   const Point_3* points() const { return m_points; }
   const Compact_tangent_plane_3* planes() const { return m_surface.planes; }
   const internal::Neighbor_numbers& numbers() const { return m_neighbors; }

@@ -42,7 +42,7 @@ public:
   {
     if (round + 1 < number_of_sheet_rounds)
       return flow::Learned_curvature().find_sheets(neighborhood, round);
-    if (m_data->visited++ % m_data->every == 0 && neighborhood.sheets().deviation > 0.)
+    if (m_data->visited++ % m_data->every == 0 && neighborhood.deviation() > 0.)
       record(neighborhood);
     return neighborhood.sheets();
   }

@@ -9,6 +9,7 @@
 #include <CGAL/Point_set_flow/internal/flow/Block_runs.h>
 #include <CGAL/number_utils.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -43,26 +44,28 @@ public:
              const Argument_check& check, Loops<ConcurrencyTag>& loops)
       : m_stays_in_neighborhood(!result.radii.empty()), m_check(check)
   {
-    // random memory access, worth parallelizing
-    Array<Point_3> flowed(site_of.size());
+    const std::size_t most = 64 * chunk_size; // at a time, to save memory
+    Array<Point_3> flowed((std::min)(most, site_of.size()));
     Array<double> limits(m_stays_in_neighborhood ? flowed.size() : 0);
-    loops.for_each_chunk(flowed.size(), [&](std::size_t begin, std::size_t end) {
-      for (std::size_t i = begin; i < end; ++i) {
-        flowed[i] = result.points[site_of[i]];
-        if (m_stays_in_neighborhood)
-          limits[i] = result.radii[site_of[i]];
-      }
-    });
-    points.reserve(flowed.size());
+    points.reserve(site_of.size());
     double movement = 0.;
-    std::size_t i = 0;
-    for (auto it = maps.points.begin(); it != maps.points.end(); ++it, ++i) {
+    for (auto it = maps.points.begin(); it != maps.points.end(); ++it) {
+      const std::size_t i = points.size(), place = i % most;
+      if (place == 0) // random memory access, worth parallelizing
+        loops.for_each_chunk((std::min)(most, site_of.size() - i),
+                             [&](std::size_t begin, std::size_t end) {
+                               for (std::size_t j = begin; j < end; ++j) {
+                                 flowed[j] = result.points[site_of[i + j]];
+                                 if (m_stays_in_neighborhood)
+                                   limits[j] = result.radii[site_of[i + j]];
+                               }
+                             });
       // adding the movement, instead of transforming back from the frame, preserves all digits of
       // points that do not move
       const Kernel_point_3& p = get(maps.point_map, *it);
-      Vector_3 d = flowed[i] - frame.to_core(p);
+      Vector_3 d = flowed[place] - frame.to_core(p);
       if (m_stays_in_neighborhood)
-        d = not_longer(d, limits[i]);
+        d = not_longer(d, limits[place]);
       movement += std::sqrt(d.squared_length()); // in the frame, where squares are in range
       points.push_back(moved(p, d * frame.unit, i));
       ++(is_same(points.back(), p) ? count_of(report, result.rest_reasons[site_of[i]])

@@ -24,10 +24,10 @@ struct Sheet_gate {
   /// \pre `neighborhood.has_sheets()`, with a positive deviation
   explicit Sheet_gate(const Neighborhood_3& neighborhood)
   {
-    const Sheet_evidence& own = neighborhood.sheets();
-    const double noise = std::log(neighborhood.noise() / own.deviation);
-    input = {std::log(own.deviation / neighborhood.radius()),
-             (std::min)((std::max)(own.excess, -2.), 2.), (std::min)((std::max)(noise, -3.), 3.)};
+    const double noise = std::log(neighborhood.noise() / neighborhood.deviation());
+    input = {std::log(neighborhood.deviation() / neighborhood.radius()),
+             (std::min)((std::max)(neighborhood.excess_kurtosis(), -2.), 2.),
+             (std::min)((std::max)(noise, -3.), 3.)};
   }
 
   /// The logarithm of the odds that the network finds two sheets

@@ -41,7 +41,7 @@ struct Sheet_input : Network_input<3, 3, 4, 2> {
     squash(odd[1], unit);
     const Sheet_evidence& own = neighborhood.sheets();
     of_point_even = {
-        std::log(unit), limited(own.excess, 2.),
+        std::log(unit), limited(neighborhood.excess_kurtosis(), 2.),
         limited(std::log(neighborhood.noise() / (neighborhood.radius() * double(unit))), 3.),
         own.two_sheets};
     of_point_odd = {squashed(-mean / unit), own.side};

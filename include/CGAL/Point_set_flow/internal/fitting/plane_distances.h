@@ -71,9 +71,6 @@ struct Plane_distances {
 struct Distance_moments {
   double second, fourth;
 
-  // cppcheck-suppress uninitMemberVar // those in an `Array` are not initialized on purpose
-  Distance_moments() = default;
-
   Distance_moments(double second_, double fourth_) : second(second_), fourth(fourth_) {}
 
   /// The excess kurtosis; 0 where there is none, or where distances are out of the range of fourth powers
@@ -123,6 +120,24 @@ struct Distance_moments {
     second = (std::max)(m2 - m1 * m1, 0.);
     fourth = (std::max)(
         sums[4] / sums[0] - 4. * m1 * m3 + 6. * m1 * m1 * m2 - 3. * m1 * m1 * m1 * m1, 0.);
+  }
+};
+
+/// Moments in single precision, to save memory: their roots, since the range of `float` is small
+class Compact_moments {
+  float m_deviation = 0.f, m_fourth_root = 0.f;
+
+public:
+  Compact_moments() = default;
+  explicit Compact_moments(const Distance_moments& m)
+      : m_deviation(float(std::sqrt(m.second))),
+        m_fourth_root(float(std::sqrt(std::sqrt(m.fourth))))
+  {}
+  float deviation() const { return m_deviation; }
+  Distance_moments moments() const
+  {
+    const double deviation = double(m_deviation), root = double(m_fourth_root);
+    return {deviation * deviation, root * root * root * root};
   }
 };
 

@@ -9,6 +9,7 @@
 #include <CGAL/Point_set_flow/internal/flow/Flow_plan.h>
 #include <CGAL/Point_set_flow/internal/flow/adapt_neighborhoods.h>
 #include <CGAL/Point_set_flow/internal/flow/corrections.h>
+#include <CGAL/Point_set_flow/internal/flow/noise_of_points.h>
 #include <CGAL/Point_set_flow/internal/flow/prefilter.h>
 #include <CGAL/Point_set_flow/internal/flow/Moves.h>
 #include <CGAL/Point_set_flow/internal/flow/Relaxation.h>
@@ -17,12 +18,10 @@
 #include <CGAL/Point_set_flow/internal/flow/sides.h>
 #include <CGAL/Point_set_flow/internal/flow/tangent_planes.h>
 #include <CGAL/Point_set_flow/internal/neighbors/Block.h>
-#include <CGAL/Point_set_flow/internal/parallel/Compact_vector_3.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <cstdint>
 #include <utility>
 
 namespace CGAL {
@@ -41,6 +40,7 @@ class Flow_run {
   const Curvature& m_curvature;
   Loops<ConcurrencyTag>& m_loops;
   Surface_state m_state;
+  Array<Compact_tangent_plane_3> m_spare; // for the next tangent planes, or the moves of a step
   Moves m_moves;
   Resting_points m_resting;
   Array<double> m_filtered_variation; // of the prefiltered surface, if the flow looks at it
@@ -49,37 +49,33 @@ public:
   Flow_run(const Flow_plan& plan, Block& block, const Flow& flow, const Curvature& curvature,
            Loops<ConcurrencyTag>& loops)
       : m_plan(plan), m_block(block), m_flow(flow), m_curvature(curvature),
-        m_loops(loops), m_state{{}, {}, {}, plan.parts, 0., {}}, m_moves(block.graph)
+        m_loops(loops), m_state{{}, {}, {}, plan.parts, 0., {}}, m_moves(block.graph, m_spare)
   {
     m_state.part_of = std::move(block.part_of);
     if (!uses_surface_estimate)
       return;
-    if (block.noise.is_given())
-      m_state.noise = block.noise.take(block.reference.size());
-    else {
-      m_state.noise.reserve(block.reference.size());
-      for (const std::uint32_t part : m_state.part_of)
-        m_state.noise.push_back(plan.parts[part].noise);
-    }
-    take_given_sides(m_state, std::move(block.sides));
+    // first of all, since there may be room for it among what was freed: it is large
+    m_spare.reserve(block.points.size());
+    m_state.noise = noise_of_points(block.noise, m_state);
+    block.noise = Given_noise(); // memory
+    take_given_sides(m_state, block.sides);
     block.sides = Array<Vector_3>(); // memory
   }
 
   /// All steps.
   void operator()()
   {
-    if (m_plan.number_of_corrections > 0)
-      m_moves.keep_all();
     Array<Point_3> filtered;
     for (unsigned int t = 0; t < m_plan.number_of_iterations; ++t) {
-      if (m_plan.update_period != 0 && t != 0 && t % m_plan.update_period == 0)
-        m_block.reference = m_block.points; // section 3.2
-      m_moves.clear();                      // save memory while normals are computed
+      if (m_plan.update_period != 0 && t != 0 && t % m_plan.update_period == 0) { // section 3.2
+        m_block.reference = Array<Point_3>(); // memory
+        m_moves.update_reference(t + 1 == m_plan.number_of_iterations);
+      }
       m_state.time = t == 0 ? 0. : t / (m_plan.number_of_iterations - 1.);
 
       if (m_plan.is_prefiltered) {
         m_loops.begin_stage(stage_costs::prefilter);
-        prefilter(m_block.current_points(), m_block.graph, m_plan.filter_width, filtered, m_loops);
+        prefilter(m_block.points, m_block.graph, m_plan.filter_width, filtered, m_loops);
         m_filtered_variation.resize(filtered.size());
         m_loops.begin_stage(stage_costs::planes);
         const auto take = [&](std::size_t i, const Tangent_plane_3& plane) {
@@ -96,11 +92,9 @@ public:
         }
       }
 
-      m_block.allocate_points(m_loops);
-      m_moves.resize(m_block.points.size());
       step(); // also if nothing moves: whether that is so depends on where blocks end
     }
-    m_block.allocate_points(m_loops); // without iterations
+    m_moves.finish();
     if constexpr (is_corrected)
       if (m_plan.number_of_corrections > 0) {
         m_state.residuals = m_moves.residuals(m_state);
@@ -113,10 +107,7 @@ public:
   }
 
   /// How far a point of the block moved in the last step of the flow
-  double moved(std::size_t i) const
-  {
-    return m_moves.empty() ? 0. : std::sqrt(m_moves[i].squared_length());
-  }
+  double moved(std::size_t i) const { return m_moves.last_length(i); }
 
   /// Why a point of the block did not move, if it did not
   Rest_reason rest_reason(std::size_t i) const
@@ -127,7 +118,7 @@ public:
       return Rest_reason::OTHER;
     if (m_block.graph.size(i) < 2 || is_isolated(i))
       return Rest_reason::ISOLATED;
-    if (uses_surface_estimate && !(m_state.noise[i] > 0.))
+    if (uses_surface_estimate && !(m_state.noise[i] > 0.f))
       return Rest_reason::NO_NOISE;
     return Rest_reason::OTHER;
   }
@@ -170,8 +161,8 @@ private:
   void relax_points()
   {
     // without noise, the planes would be those of the first step, which are blunt at creases
-    for (std::size_t i = 0; i < m_state.noise.size(); ++i)
-      m_state.noise[i] = (std::max)(m_state.noise[i], .1 * m_state.parameters(i).spacing);
+    for (float& noise : m_state.noise)
+      noise = (std::max)(noise, .1f);
     const Array<Vector_3> normals = find_normals();
     m_state.planes.assign(normals.begin(), normals.end());
     const Array<Point_3> start = m_block.points;
@@ -189,16 +180,16 @@ private:
   void find_planes()
   {
     m_loops.begin_stage(stage_costs::planes);
-    Array<Compact_tangent_plane_3> planes = m_state.planes; // all at once
-    planes.resize(m_block.reference.size());
+    m_spare = m_state.planes; // all at once
+    m_spare.resize(m_block.points.size());
     find_tangent_planes(
-        surface(m_block.current_points()), m_curvature,
+        surface(m_block.points), m_curvature,
         [&](std::size_t i) { return m_resting.needs_plane(i); },
         [&](std::size_t i, const Tangent_plane_3& plane) {
-          planes[i] = Compact_tangent_plane_3(plane.normal, plane.variation);
+          m_spare[i] = Compact_tangent_plane_3(plane.normal, plane.variation);
         },
         m_loops);
-    m_state.planes.swap(planes);
+    m_state.planes.swap(m_spare);
   }
 
   bool may_move(std::size_t i) const { return !m_block.is_constrained(i) && !is_isolated(i); }
@@ -206,7 +197,14 @@ private:
   /// Whether a point is where it was measured, and has no noise: it stays in all steps.
   bool is_at_rest(std::size_t i) const
   {
-    return m_plan.may_rest && !(m_state.noise[i] > 0.) && m_block.forcing(i) == NULL_VECTOR;
+    return m_plan.may_rest && !(m_state.noise[i] > 0.f) && forcing(i) == NULL_VECTOR;
+  }
+
+  /// The vector from a point back to its reference point
+  Vector_3 forcing(std::size_t i) const
+  {
+    return m_block.reference.empty() ? -m_moves.from_reference(i)
+                                     : m_block.reference[i] - m_block.points[i];
   }
 
   bool is_isolated(std::size_t i) const { return surface(m_block.points).is_isolated(i); }
@@ -216,6 +214,7 @@ private:
   {
     const Surface before = surface(m_block.points);
     m_loops.begin_stage(stage_costs::step, 2);
+    m_moves.begin_step(before.size());
     m_loops.for_each_chunk(before.size(), [&](std::size_t begin, std::size_t end) {
       for (std::size_t i = begin; i < end; ++i)
         m_moves.set(i, may_move(i) && !is_at_rest(i)
@@ -238,7 +237,7 @@ private:
         neighborhood.size() >= 2 ? m_curvature.directional_curvature(neighborhood, plane) : 0.;
     return m_flow({plane.normal, curvature * m_plan.unit, plane.variation,
                    m_plan.is_prefiltered ? m_filtered_variation[i] : plane.variation,
-                   m_block.forcing(i) * m_plan.unit},
+                   forcing(i) * m_plan.unit},
                   m_state.parameters(i).diffusivity);
   }
 };

@@ -10,7 +10,6 @@
 #include <CGAL/Point_set_flow/internal/noise/two_sheets.h>
 #include <CGAL/Point_set_flow/internal/parallel/stage_costs.h>
 
-#include <cmath>
 #include <cstddef>
 #include <utility>
 
@@ -20,17 +19,23 @@ namespace internal {
 
 /// Asks the estimator whether the neighbors of each point are those of two sheets, in rounds: each one sees what
 /// the one before found of the neighbors.
-/// \param state has the moments of the heights; has what was found, after that
+/// \param deviations, moments of the distances from the tangent planes, in spacings; the moments are pooled
+/// \param state has what was found, after that
 template <typename ConcurrencyTag, typename Curvature>
-void find_sheets(const Surface& surface, Surface_state& state, const Curvature& curvature,
-                 Loops<ConcurrencyTag>& loops)
+void find_sheets(const Surface& surface, const Array<float>& deviations,
+                 const Array<Compact_moments>& moments, Surface_state& state,
+                 const Curvature& curvature, Loops<ConcurrencyTag>& loops)
 {
+  state.sheets.resize(surface.size());
   Array<Sheet_evidence> found(surface.size());
   for (unsigned int round = 0; round < Number_of_sheet_rounds<Curvature>::value; ++round) {
     loops.begin_stage(stage_costs::network);
     loops.for_each_chunk(surface.size(), [&](std::size_t begin, std::size_t end) {
       for (std::size_t i = begin; i < end; ++i) {
-        const Neighborhood_3 neighborhood = surface.neighborhood(i);
+        Surface_estimate_3 estimate = state.at(i);
+        estimate.deviation = double(deviations[i]) * estimate.spacing;
+        estimate.excess = moments[i].moments().excess();
+        const Neighborhood_3 neighborhood = surface.neighborhood(i, estimate);
         const bool is_surface =
             neighborhood.size() >= 2 && neighborhood.radius() > 0. && neighborhood.noise() > 0.;
         found[i] = is_surface ? curvature.find_sheets(neighborhood, round) : state.sheets[i];
@@ -46,28 +51,30 @@ template <typename ConcurrencyTag, typename Curvature>
 void adapt_neighborhoods(Block& block, Surface_state& state, const Flow_plan& plan,
                          const Curvature& curvature, Loops<ConcurrencyTag>& loops)
 {
+  constexpr bool finds_sheets = Number_of_sheet_rounds<Curvature>::value > 0;
   loops.begin_stage(stage_costs::sheets, sheet_loops);
-  const Surface surface{block.current_points(), block.graph, state};
+  const Surface surface{block.points, block.graph, state};
+  state.sides.reserve(block.points.size()); // before what is freed, to leave no gap there
   Array<signed char> sides;
-  Array<Distance_moments> moments = find_moments(surface, sides, loops);
-  if constexpr (Number_of_sheet_rounds<Curvature>::value > 0) {
-    state.sheets.resize(moments.size());
-    for (std::size_t i = 0; i < moments.size(); ++i)
-      state.sheets[i].deviation = std::sqrt(moments[i].second) * state.parameters(i).spacing;
+  Array<Compact_moments> moments = find_moments(surface, sides, loops);
+  Array<float> deviations;
+  if constexpr (finds_sheets) {
+    deviations.reserve(moments.size());
+    for (const Compact_moments& m : moments)
+      deviations.push_back(m.deviation());
   }
   pool(block.graph, moments, loops);
-  if constexpr (Number_of_sheet_rounds<Curvature>::value > 0) {
-    for (std::size_t i = 0; i < moments.size(); ++i)
-      state.sheets[i].excess = moments[i].excess();
-    find_sheets(surface, state, curvature, loops);
-  }
+  if constexpr (finds_sheets)
+    find_sheets(surface, deviations, moments, state, curvature, loops);
+  deviations = Array<float>(); // memory
   const Sheets sheets = fit_sheets(surface, moments, std::move(sides), plan.defaults, state.noise,
                                    plan.is_noise_given, loops);
   state.sheets = Array<Sheet_evidence>(); // memory
   take_found_sides(state, sheets.sides);
   if (!plan.is_k_given) {
     loops.begin_stage(stage_costs::shrink);
-    block.graph.shrink(block.reference, sheets.sizes, loops);
+    // by the distances at which they were searched
+    block.graph.shrink(block.reference.empty() ? block.points : block.reference, sheets.sizes, loops);
   }
 }
 

@@ -8,7 +8,6 @@
 #include <CGAL/Point_set_flow/internal/parallel/Array.h>
 
 #include <cstddef>
-#include <utility>
 
 namespace CGAL {
 namespace Point_set_flow {
@@ -23,16 +22,14 @@ inline bool is_trusted(const Vector_3& side, const Local_layers& layers)
 
 /// Takes the sides that the caller gave, where they are trusted.
 /// \param sides one for each point, null vectors where not known; empty if none is given
-inline void take_given_sides(Surface_state& state, Array<Vector_3>&& sides)
+inline void take_given_sides(Surface_state& state, const Array<Vector_3>& sides)
 {
-  bool is_any_trusted = false;
   for (std::size_t i = 0; i < sides.size(); ++i) {
-    if (!is_trusted(sides[i], state.parameters(i).layers))
-      sides[i] = NULL_VECTOR;
-    is_any_trusted = is_any_trusted || sides[i] != NULL_VECTOR;
+    if (sides[i] == NULL_VECTOR || !is_trusted(sides[i], state.parameters(i).layers))
+      continue;
+    state.sides.resize(sides.size()); // not earlier, to save memory
+    state.sides[i] = Side_3(sides[i]);
   }
-  if (is_any_trusted) // or else save memory
-    state.sides = std::move(sides);
 }
 
 /// Takes the sides that were found, where none is trusted: of two sheets, the direction from the
@@ -44,12 +41,11 @@ inline void take_found_sides(Surface_state& state, const Array<signed char>& sid
   for (std::size_t i = 0; i < sides.size(); ++i) {
     if (sides[i] == 0)
       continue;
-    if (state.sides.empty())
-      state.sides = Array<Vector_3>(sides.size(), Vector_3(NULL_VECTOR));
+    state.sides.resize(sides.size());
     Compact_tangent_plane_3& plane = state.planes[i];
     if (sides[i] < 0)
       plane = Compact_tangent_plane_3(-plane.normal(), double(plane.variation));
-    state.sides[i] = plane.normal();
+    state.sides[i] = Side_3(plane.normal());
   }
 }
 

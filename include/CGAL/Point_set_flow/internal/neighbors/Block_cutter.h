@@ -72,10 +72,11 @@ public:
 
     Block block = {{}, {}, {}, joined(*graphs, sites, loops), {}, m_buffer.noise.of(sorted),
                    {}, {}};
+    const bool has_start = !m_buffer.start.empty();
     for (const std::uint32_t site : sorted) {
-      if (!m_buffer.start.empty())
-        block.points.push_back(m_buffer.start[site]);
-      block.reference.push_back(m_buffer.reference[site]);
+      block.points.push_back((has_start ? m_buffer.start : m_buffer.reference)[site]);
+      if (has_start)
+        block.reference.push_back(m_buffer.reference[site]);
       block.part_of.push_back(m_part_of[site]);
       if (!m_buffer.constrained.empty())
         block.constrained.push_back(m_buffer.constrained[site]);
@@ -135,7 +136,7 @@ private:
     for (std::size_t i = 0; i < sites.size(); ++i)
       number[m_place[sites[i]]] = static_cast<std::uint32_t>(i);
     return Neighbor_graph(
-        sites.size(),
+        sites.size(), [](std::size_t) { return 0; }, // not known
         [&](std::size_t begin, std::size_t end, const auto& add) {
           for (std::size_t place = begin; place < end; ++place) {
             std::size_t i = number[place], ring = 0;

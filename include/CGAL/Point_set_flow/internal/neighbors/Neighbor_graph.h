@@ -27,21 +27,21 @@ namespace internal {
 /// The nearest neighbors of points, nearest first: the first of them are the neighbors in a smaller neighborhood.
 class Neighbor_graph {
   std::vector<Neighbor_chunk> m_chunks;
-  Array<Neighbor_chunk::Place> m_places;
   Array<double> m_radii; // the distance of the farthest neighbor
 
 public:
   /// A graph without points
   Neighbor_graph() = default;
 
+  /// \param most tells how many neighbors point `i` has, or more: memory for them is taken at once
   /// \param fill_chunk called for each chunk as `fill_chunk(begin, end, add)`, calls
   /// `add(i, site, size, number, radius)` for those of its points that have neighbors; see `Neighbor_chunk::add()`
-  template <typename Fill_chunk, typename ConcurrencyTag>
-  Neighbor_graph(std::size_t n, const Fill_chunk& fill_chunk, Loops<ConcurrencyTag>& loops)
-      : m_chunks((n + chunk_size - 1) / chunk_size), m_places(n, Neighbor_chunk::Place{0, 0, 1}),
-        m_radii(n, 0.)
+  template <typename Most, typename Fill_chunk, typename ConcurrencyTag>
+  Neighbor_graph(std::size_t n, const Most& most, const Fill_chunk& fill_chunk,
+                 Loops<ConcurrencyTag>& loops)
+      : m_chunks((n + chunk_size - 1) / chunk_size), m_radii(n, 0.)
   {
-    change(fill_chunk, loops);
+    change(most, fill_chunk, loops);
   }
 
   /// \param sites, n points of the tree, which follow each other in space
@@ -50,6 +50,9 @@ public:
                  const Search_options& search, Loops<ConcurrencyTag>& loops)
       : Neighbor_graph(
             n,
+            [&](std::size_t i) {
+              return (std::min)(search.k_of(sites[std::ptrdiff_t(i)]), tree.points().size() - 1);
+            },
             [&](std::size_t begin, std::size_t end, const auto& add) {
               Group_search find(tree, search);
               find_neighbors(find, sites, begin, end, add);
@@ -64,14 +67,14 @@ public:
       : Neighbor_graph(tree, Site(0), tree.points().size(), search, loops)
   {}
 
-  std::size_t number_of_points() const { return m_places.size(); }
-  std::size_t size(std::size_t i) const { return m_places[i].size; }
+  std::size_t number_of_points() const { return m_radii.size(); }
+  std::size_t size(std::size_t i) const { return neighbors(i).size(); }
   double radius(std::size_t i) const { return m_radii[i]; }
   Neighbor_numbers neighbors(std::size_t i) const { return neighbors(i, i); }
   /// \param site the number of point `i` in the tree
   Neighbor_numbers neighbors(std::size_t i, std::size_t site) const
   {
-    return m_chunks[i / chunk_size].neighbors(site, m_places[i]);
+    return m_chunks[i / chunk_size].neighbors(i % chunk_size, site);
   }
 
   /// \param points where the points are now
@@ -104,10 +107,14 @@ public:
   void shrink(const Array<Point_3>& points, const Array<std::uint32_t>& sizes,
               Loops<ConcurrencyTag>& loops)
   {
+    const auto most = [&](std::size_t i) {
+      return sizes[i] == 0 ? size(i) : (std::min)(std::size_t(sizes[i]), size(i));
+    };
     change(
+        most,
         [&](std::size_t begin, std::size_t end, const auto& add) {
           for (std::size_t i = begin; i < end; ++i)
-            add_nearest(points, i, sizes[i] == 0 ? size(i) : sizes[i], add);
+            add_nearest(points, i, most(i), add);
         },
         loops);
   }
@@ -117,9 +124,10 @@ public:
   void adapt(const Neighbor_tree& tree, const Search_options& search, Loops<ConcurrencyTag>& loops)
   {
     change(
+        [&](std::size_t i) { return (std::min)(search.k_of(i), number_of_points() - 1); },
         [&](std::size_t begin, std::size_t end, const auto& add) {
           const auto is_enough = [&](std::size_t i) {
-            return search.k_of(i) <= size(i) || size(i) + 1 == m_places.size();
+            return search.k_of(i) <= size(i) || size(i) + 1 == number_of_points();
           };
           Group_search find(tree, search);
           while (begin < end) {
@@ -139,19 +147,26 @@ private:
   typedef boost::counting_iterator<std::size_t> Site;
 
   /// Fills all chunks anew, from what they hold.
-  template <typename Fill_chunk, typename ConcurrencyTag>
-  void change(const Fill_chunk& fill_chunk, Loops<ConcurrencyTag>& loops)
+  template <typename Most, typename Fill_chunk, typename ConcurrencyTag>
+  void change(const Most& most, const Fill_chunk& fill_chunk, Loops<ConcurrencyTag>& loops)
   {
-    loops.for_each_chunk(m_places.size(), [&](std::size_t begin, std::size_t end) {
+    loops.for_each_chunk(number_of_points(), [&](std::size_t begin, std::size_t end) {
+      std::size_t neighbors = 0;
+      for (std::size_t i = begin; i < end; ++i)
+        neighbors += most(i);
       Neighbor_chunk chunk;
+      chunk.reserve(end - begin, neighbors);
       fill_chunk(begin, end,
                  [&](std::size_t i, std::size_t site, std::size_t size, const auto& number,
                      double radius) {
-                   m_places[i] = chunk.add(site, size, number);
+                   chunk.add(i - begin, site, size, number);
                    m_radii[i] = radius;
                  });
-      chunk.fit();
-      m_chunks[begin / chunk_size] = std::move(chunk);
+      chunk.finish(end - begin);
+      // First the memory of the chunk before is freed, then as much as is needed is taken from it: what is left over
+      // is next to that of the next chunk, so that no gaps remain.
+      m_chunks[begin / chunk_size] = Neighbor_chunk();
+      m_chunks[begin / chunk_size] = Neighbor_chunk(chunk);
     });
   }
 

@@ -70,7 +70,7 @@ public:
   /// \param points in the order of the curve, or searching is slow
   Neighbor_tree(const Array<Point_3>& points, const Progress& progress) : m_points(points)
   {
-    m_nodes.reserve(points.size() / 5);
+    m_nodes.reserve(points.size() / 4); // more than there are on surfaces
     if (!points.empty())
       add_node(0, points.size(), progress);
   }

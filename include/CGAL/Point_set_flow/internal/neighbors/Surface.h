@@ -7,8 +7,10 @@
 #include <CGAL/Point_set_flow/Diffusivity.h>
 #include <CGAL/Point_set_flow/internal/neighbors/Neighbor_graph.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <vector>
 
 namespace CGAL {
@@ -40,25 +42,32 @@ struct Local_parameters {
   Diffusivity diffusivity = Diffusivity(0.);
 };
 
+/// A length in spacings, in the range of `float`; 0 if the spacing is 0
+inline float in_spacings(double length, double spacing)
+{
+  const double most = double((std::numeric_limits<float>::max)());
+  return spacing > 0. ? float((std::min)(length / spacing, most)) : 0.f;
+}
+
 /// What is known of a surface besides its points, at one time of the flow.
 struct Surface_state {
   Array<Compact_tangent_plane_3> planes; ///< empty before the first ones
-  Array<double> noise;          ///< the standard deviation around each point; empty if not needed
+  Array<float> noise;           ///< around each point, in spacings; empty if not needed
   Array<std::uint32_t> part_of; ///< for each point, the part that it belongs to
   const std::vector<Local_parameters>& parts;
   double time = 0.;      ///< 0 in the first step, 1 in the last
-  Array<Vector_3> sides; ///< given or found; null vectors where not known; empty if none is
+  Array<Side_3> sides;   ///< given or found; empty if none is known
   Array<Sheet_evidence> sheets = {}; ///< empty if not needed
   Array<double> residuals = {}; ///< what the flow took off, along the normals; empty if not needed
 
   /// Whether the side of a point is known: its neighbors on the opposite side are another sheet then, and
   /// layers on its own side are one surface scanned twice.
-  bool is_sided(std::size_t i) const { return !sides.empty() && sides[i] != NULL_VECTOR; }
+  bool is_sided(std::size_t i) const { return !sides.empty() && sides[i].is_known(); }
 
   /// The normal of a point oriented to its side.
   Vector_3 oriented(std::size_t i, const Vector_3& normal) const
   {
-    return !sides.empty() && sides[i] * normal < 0. ? -normal : normal;
+    return !sides.empty() && sides[i].vector() * normal < 0. ? -normal : normal;
   }
 
   /// \pre the tangent planes are known
@@ -73,8 +82,8 @@ struct Surface_state {
   {
     Surface_estimate_3 surface;
     surface.planes = planes.empty() ? nullptr : planes.data();
-    surface.noise = noise.empty() ? 0. : noise[i];
     surface.spacing = parameters(i).spacing;
+    surface.noise = noise.empty() ? 0. : double(noise[i]) * surface.spacing;
     surface.time = time;
     surface.sides = sides.empty() ? nullptr : sides.data();
     surface.sheets = sheets.empty() ? nullptr : sheets.data();
@@ -97,9 +106,10 @@ struct Surface {
     const double spacing = state.parameters(i).spacing, radius = graph.radius(i);
     return radius * radius > double(graph.size(i)) * spacing * spacing && graph.is_isolated(i);
   }
-  Neighborhood_3 neighborhood(std::size_t i) const
+  Neighborhood_3 neighborhood(std::size_t i) const { return neighborhood(i, state.at(i)); }
+  Neighborhood_3 neighborhood(std::size_t i, const Surface_estimate_3& estimate) const
   {
-    return graph.neighborhood(points, i, narrowing * state.parameters(i).filter_width, state.at(i));
+    return graph.neighborhood(points, i, narrowing * state.parameters(i).filter_width, estimate);
   }
 };
 

@@ -25,25 +25,25 @@ namespace internal {
 
 /// Averages over the points around each one: the kurtosis of a single neighborhood is mostly sampling error.
 template <typename ConcurrencyTag>
-void pool(const Neighbor_graph& graph, Array<Distance_moments>& moments,
+void pool(const Neighbor_graph& graph, Array<Compact_moments>& moments,
           Loops<ConcurrencyTag>& loops)
 {
   const std::size_t most = 64; // spread over the neighborhood
   const int rounds = 3;
-  Array<Distance_moments> pooled(moments.size());
+  Array<Compact_moments> pooled(moments.size());
   const auto average = [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
       const Neighbor_numbers near = graph.neighbors(i);
       const std::size_t stride = (near.size() + most - 1) / most;
-      Distance_moments sum = moments[i];
+      Distance_moments sum = moments[i].moments();
       double count = 1.;
       for (std::size_t j = 0; j < near.size(); j += stride) {
-        sum.second += moments[near[j]].second;
-        sum.fourth += moments[near[j]].fourth;
+        const Distance_moments other = moments[near[j]].moments();
+        sum.second += other.second;
+        sum.fourth += other.fourth;
         count += 1.;
       }
-      pooled[i].second = sum.second / count;
-      pooled[i].fourth = sum.fourth / count;
+      pooled[i] = Compact_moments({sum.second / count, sum.fourth / count});
     }
   };
   for (int i = 0; i < rounds; ++i) {
@@ -142,7 +142,7 @@ inline int agreement_of_sides(const Surface& surface, std::size_t i)
     if (!is_likely(state.sheets[k], narrow))
       continue;
     ++known;
-    alike += state.sides[k] * state.planes[k].normal() * double(state.sheets[k].side) > 0.;
+    alike += state.sides[k].vector() * state.planes[k].normal() * double(state.sheets[k].side) > 0.;
   }
   if (state.is_sided(i))
     return 0;
@@ -156,18 +156,18 @@ constexpr int sheet_loops = 5;
 /// \param surface with normals
 /// \param sides receives on which side of its neighbors each point is, see `Sheets::sides`
 template <typename ConcurrencyTag>
-Array<Distance_moments> find_moments(const Surface& surface, Array<signed char>& sides,
+Array<Compact_moments> find_moments(const Surface& surface, Array<signed char>& sides,
                                      Loops<ConcurrencyTag>& loops)
 {
   const std::size_t n = surface.size();
-  Array<Distance_moments> moments(n);
+  Array<Compact_moments> moments(n);
   sides.resize(n);
   loops.for_each_chunk(n, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
       double height = 0.;
       moments[i] = surface.state.parameters(i).spacing > 0.
-                       ? Distance_moments(surface.neighborhood(i), height)
-                       : Distance_moments(0., 0.);
+                       ? Compact_moments(Distance_moments(surface.neighborhood(i), height))
+                       : Compact_moments();
       sides[i] = side_of(height);
     }
   });
@@ -178,11 +178,11 @@ Array<Distance_moments> find_moments(const Surface& surface, Array<signed char>&
 /// two sheets a point is.
 /// \param surface with normals, and the evidence of the estimator if it finds sheets
 /// \param moments, sides see `find_moments()`; the moments are pooled
-/// \param noise the noise around each point; is reduced on thin parts unless the caller gave it
+/// \param noise the noise around each point, in spacings; is reduced on thin parts unless the caller gave it
 template <typename ConcurrencyTag>
-Sheets fit_sheets(const Surface& surface, const Array<Distance_moments>& moments,
+Sheets fit_sheets(const Surface& surface, const Array<Compact_moments>& moments,
                   Array<signed char>&& sides, const Curvature_defaults& defaults,
-                  Array<double>& noise, bool is_given, Loops<ConcurrencyTag>& loops)
+                  Array<float>& noise, bool is_given, Loops<ConcurrencyTag>& loops)
 {
   const std::size_t n = surface.size();
   Sheets sheets{Array<std::uint32_t>(n), std::move(sides)};
@@ -192,15 +192,17 @@ Sheets fit_sheets(const Surface& surface, const Array<Distance_moments>& moments
       sheets.sizes[i] = local.size;
       bool holds_two_sheets = false;
       if (local.spacing > 0.) {
-        const Sheet_fit fit(moments[i], noise[i], local, defaults, is_given,
+        const double found = double(noise[i]) * local.spacing;
+        const Sheet_fit fit(moments[i].moments(), found, local, defaults, is_given,
                             surface.state.is_sided(i));
-        noise[i] = fit.noise;
+        if (fit.noise < found)
+          noise[i] = in_spacings(fit.noise, local.spacing);
         sheets.sizes[i] = fit.size;
         holds_two_sheets = fit.holds_two_sheets;
       }
       const double explained = .25; // by the scans: then layers are a registration error
       if (!surface.state.sheets.empty() && local.layers.of_scans < explained &&
-          is_likely(surface.state.sheets[i], noise[i] / local.spacing)) {
+          is_likely(surface.state.sheets[i], double(noise[i]))) {
         holds_two_sheets = true;
         sheets.sides[i] = side_of(double(surface.state.sheets[i].side));
       }

@@ -10,7 +10,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <optional>
-#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -42,13 +41,6 @@ struct Given_noise {
         part.of_each.push_back(of_each[i]);
     }
     return part;
-  }
-
-  /// Takes out one number for each of `n` points, which are all.
-  /// \pre `is_given()`
-  Array<double> take(std::size_t n)
-  {
-    return of_all ? Array<double>(n, *of_all) : std::move(of_each);
   }
 };
 
