@@ -5,7 +5,7 @@
 #include <CGAL/license/Point_set_flow.h>
 
 #include <CGAL/Point_set_flow/internal/flow/Flow_run.h>
-#include <CGAL/Point_set_flow/internal/neighbors/Block_cutter.h>
+#include <CGAL/Point_set_flow/internal/neighbors/Block.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -105,7 +105,7 @@ public:
 
   /// Runs the flow on one block of points of which some may be missing.
   /// \param interior the sites of the block, ascending, which are those of the result
-  /// \param is_certain see `Block_cutter::cut_certain()`
+  /// \param is_certain see `cut_graph()`
   /// \return nothing if the result is not certain
   template <typename Is_certain>
   std::optional<Flow_result> run_one(Analyzed_points& points,
@@ -113,13 +113,13 @@ public:
                                      const Is_certain& is_certain)
   {
     m_loops.begin_stage(stage_costs::graph);
-    std::optional<Block> block =
-        Block_cutter(points.buffer(), points.part_of(), points.tree(), m_plan.search)
-            .cut_certain(interior, m_plan.number_of_rings(), is_certain, m_loops);
-    if (!block)
+    std::optional<Cut_graph> cut = cut_graph(points.tree(), m_plan.search, interior,
+                                             m_plan.number_of_rings(), is_certain, m_loops);
+    if (!cut)
       return std::nullopt;
+    Block block = take_some(points.buffer(), points.part_of(), std::move(*cut));
     points.forget_points();
-    run(*block);
+    run(block);
     return take_result(interior.size());
   }
 
@@ -145,13 +145,14 @@ private:
   void run_in_turn(const Analyzed_points& points, std::size_t block_size)
   {
     const std::size_t n = points.buffer().size();
-    Block_cutter cut(points.buffer(), points.part_of(), points.tree(), m_plan.search);
     for (std::size_t begin = 0; begin < n; begin += block_size) {
       std::vector<std::uint32_t> interior((std::min)(block_size, n - begin));
       std::iota(interior.begin(), interior.end(), static_cast<std::uint32_t>(begin));
       m_loops.set_share(double(interior.size()) / double(n));
       m_loops.begin_stage(stage_costs::graph);
-      Block block = cut(interior, m_plan.number_of_rings(), m_loops);
+      Block block = take_some(points.buffer(), points.part_of(),
+                              cut_graph(points.tree(), m_plan.search, interior,
+                                        m_plan.number_of_rings(), m_loops));
       run(block);
     }
   }

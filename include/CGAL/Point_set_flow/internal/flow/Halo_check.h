@@ -40,7 +40,7 @@ public:
   /// Where points may be missing, and more of them than would do: rings that come later are guessed.
   const std::vector<Ball>& missing() const { return m_missing; }
 
-  /// See `Block_cutter::cut_certain()`
+  /// See `cut_graph()`
   bool operator()(const std::vector<std::uint32_t>& sites, std::size_t begin,
                   const Neighbor_graph& graph, std::size_t rings_left) const
   {

@@ -4,7 +4,7 @@
 
 #include <CGAL/license/Point_set_flow.h>
 
-#include <CGAL/Point_set_flow/internal/neighbors/Neighbor_graph.h>
+#include <CGAL/Point_set_flow/internal/neighbors/cut_graph.h>
 #include <CGAL/Point_set_flow/internal/order/Point_buffer.h>
 
 #include <cstddef>
@@ -46,6 +46,28 @@ inline Block take_all(Point_buffer& buffer, Array<std::uint32_t>& part_of, Neigh
           std::move(buffer.noise),
           std::move(part_of),
           std::move(buffer.sides)};
+}
+
+/// Some of the points, copied from the buffer, in one block.
+inline Block take_some(const Point_buffer& buffer, const Array<std::uint32_t>& part_of,
+                       Cut_graph&& cut)
+{
+  Block block = {{}, {}, {}, std::move(cut.graph), std::move(cut.interior),
+                 buffer.noise.of(cut.sites), {}, {}};
+  const auto copy = [&](const auto& from, auto& to) {
+    if (from.empty())
+      return;
+    to.reserve(cut.sites.size());
+    for (const std::uint32_t site : cut.sites)
+      to.push_back(from[site]);
+  };
+  copy(buffer.start.empty() ? buffer.reference : buffer.start, block.points);
+  if (!buffer.start.empty())
+    copy(buffer.reference, block.reference);
+  copy(buffer.constrained, block.constrained);
+  copy(part_of, block.part_of);
+  copy(buffer.sides, block.sides);
+  return block;
 }
 
 } // namespace internal
