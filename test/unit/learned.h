@@ -23,7 +23,7 @@ struct Case {
   Points points;
   std::vector<std::uint32_t> others;
   std::vector<Compact_tangent_plane_3> planes;
-  std::vector<double> residuals;
+  std::vector<float> residuals;
   std::vector<Sheet_evidence> sheets;
   double deviation, excess;
 
@@ -39,7 +39,7 @@ struct Case {
       points.emplace_back(normal(random), normal(random), thickness * normal(random));
       const Vector_3 v(.3 * normal(random), .3 * normal(random), i % 3 == 0 ? 1. : -1.);
       planes.push_back(v / std::sqrt(v.squared_length()));
-      residuals.push_back(.1 * normal(random));
+      residuals.push_back(float(.1 * normal(random)));
       sheets.push_back({float(normal(random)), float(normal(random))});
       if (i > 0)
         others.push_back(std::uint32_t(i));

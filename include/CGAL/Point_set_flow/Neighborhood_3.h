@@ -36,7 +36,7 @@ struct Surface_estimate_3 {
   const Side_3* sides = nullptr;
   /// for each point, how far it was above the place where it is now before the flow, along its normal;
   /// or null
-  const double* residuals = nullptr;
+  const float* residuals = nullptr;
   const Sheet_evidence* sheets = nullptr; ///< for each point, or null
   /// the standard deviation of the distances from the tangent planes around the point, if there is evidence of sheets
   double deviation = 0.;
@@ -169,10 +169,10 @@ public:
   bool has_residuals() const { return m_surface.residuals != nullptr; }
   /// the height of the point in the middle before the flow above where it is now, along its normal
   /// \pre `has_residuals()`
-  double residual() const { return m_surface.residuals[m_center]; }
+  double residual() const { return double(m_surface.residuals[m_center]); }
   /// the residual of a neighbor, along its own normal
   /// \pre `has_residuals()`
-  double residual(std::size_t j) const { return m_surface.residuals[m_neighbors[j]]; }
+  double residual(std::size_t j) const { return double(m_surface.residuals[m_neighbors[j]]); }
 
   /// the standard deviation of the noise around the point, as estimated before the first step; 0
   /// unless the estimator declares `Uses_surface_estimate`

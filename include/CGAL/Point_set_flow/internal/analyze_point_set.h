@@ -32,7 +32,7 @@ Smoothing_report analyze_point_set(const PointRange& points, const std::optional
   try {
     return loops.in_isolation([&] {
       Input input(maps, check, loops);
-      const Analyzed_points analyzed(std::move(input.points), 0, loops);
+      const Analyzed_points analyzed(std::move(input.points), 0, parameters.block_size, loops);
       const Flow_plan plan(analyzed, flow, curvature, parameters, input.frame.unit);
       loops.finish();
       return plan.report();

@@ -27,7 +27,7 @@ Point_set_scale estimate_scale(const PointRange& points, const NamedParameters& 
     Frame frame;
     Input_points input;
     input.reference = copy_reference(maps, frame, check, loops);
-    const Analyzed_points analyzed(std::move(input), 0, loops);
+    const Analyzed_points analyzed(std::move(input), 0, Flow_parameters().block_size, loops);
     const double noise = analyzed.scale_map().noise(), spacing = analyzed.scale_map().spacing();
     Point_set_scale scale;
     scale.noise = noise * frame.unit;

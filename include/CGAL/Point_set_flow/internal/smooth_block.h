@@ -119,7 +119,7 @@ Block_status smooth_block(PointRange& points, std::size_t block_size, const Coor
       Input input(maps, check, loops, &frame);
       input.points.clearance =
           copy_clearance(maps, input.frame, halo, input.points.reference, loops);
-      Analyzed_points analyzed(std::move(input.points), 0, loops);
+      Analyzed_points analyzed(std::move(input.points), 0, parameters.block_size, loops);
       const Flow_plan plan(analyzed, flow, curvature, parameters, input.frame.unit);
       const std::size_t number_of_sites = analyzed.buffer().size();
       const Interior interior(analyzed.buffer().site_of, block_size);

@@ -55,7 +55,7 @@ double smooth_point_set(PointRange& points, const std::optional<unsigned int>& k
   try {
     return loops.in_isolation([&] {
       Input input(maps, check, loops);
-      Analyzed_points analyzed(std::move(input.points), size, loops);
+      Analyzed_points analyzed(std::move(input.points), size, parameters.block_size, loops);
       const Flow_plan plan(analyzed, flow, curvature, parameters, input.frame.unit);
       Smoothing_report report = plan.report();
 

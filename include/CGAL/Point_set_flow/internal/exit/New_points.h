@@ -20,17 +20,12 @@ namespace CGAL {
 namespace Point_set_flow {
 namespace internal {
 
-inline Vector_3 not_longer(const Vector_3& d, double length)
-{
-  return d.squared_length() > length * length ? d * (length / std::sqrt(d.squared_length())) : d;
-}
-
 /// The points that are to be written, in the order of the caller.
 template <typename Maps>
 class New_points {
   typedef typename Maps::Kernel_point_3 Kernel_point_3;
 
-  const bool m_stays_in_neighborhood;
+  const bool m_is_limited;
   const Argument_check& m_check;
 
 public:
@@ -42,30 +37,24 @@ public:
   New_points(const Maps& maps, const Frame& frame, const Flow_result& result,
              const std::vector<std::uint32_t>& site_of, Smoothing_report& report,
              const Argument_check& check, Loops<ConcurrencyTag>& loops)
-      : m_stays_in_neighborhood(!result.radii.empty()), m_check(check)
+      : m_is_limited(result.is_limited), m_check(check)
   {
     const std::size_t most = 64 * chunk_size; // at a time, to save memory
-    Array<Point_3> flowed((std::min)(most, site_of.size()));
-    Array<double> limits(m_stays_in_neighborhood ? flowed.size() : 0);
+    Array<Vector_3> moves((std::min)(most, site_of.size()));
     points.reserve(site_of.size());
     double movement = 0.;
     for (auto it = maps.points.begin(); it != maps.points.end(); ++it) {
-      const std::size_t i = points.size(), place = i % most;
-      if (place == 0) // random memory access, worth parallelizing
+      const std::size_t i = points.size();
+      if (i % most == 0) // random memory access, worth parallelizing
         loops.for_each_chunk((std::min)(most, site_of.size() - i),
                              [&](std::size_t begin, std::size_t end) {
-                               for (std::size_t j = begin; j < end; ++j) {
-                                 flowed[j] = result.points[site_of[i + j]];
-                                 if (m_stays_in_neighborhood)
-                                   limits[j] = result.radii[site_of[i + j]];
-                               }
+                               for (std::size_t j = begin; j < end; ++j)
+                                 moves[j] = move(result, site_of[i + j]);
                              });
       // adding the movement, instead of transforming back from the frame, preserves all digits of
       // points that do not move
       const Kernel_point_3& p = get(maps.point_map, *it);
-      Vector_3 d = flowed[place] - frame.to_core(p);
-      if (m_stays_in_neighborhood)
-        d = not_longer(d, limits[place]);
+      const Vector_3& d = moves[i % most];
       movement += std::sqrt(d.squared_length()); // in the frame, where squares are in range
       points.push_back(moved(p, d * frame.unit, i));
       ++(is_same(points.back(), p) ? count_of(report, result.rest_reasons[site_of[i]])
@@ -75,6 +64,14 @@ public:
   }
 
 private:
+  /// Where a point went, in the frame. It does not leave its neighborhood.
+  Vector_3 move(const Flow_result& result, std::size_t site) const
+  {
+    const Vector_3 d = result.moves[site].vector(); // in neighborhood radii
+    const double squared = d.squared_length(), most = result.radii[site] > 0. ? 1. : 0.;
+    return result.unit(site) * (m_is_limited && squared > most ? d * (most / std::sqrt(squared)) : d);
+  }
+
   static bool is_same(const Kernel_point_3& p, const Kernel_point_3& q)
   {
     return p.x() == q.x() && p.y() == q.y() && p.z() == q.z();
@@ -88,7 +85,7 @@ private:
       typedef decltype(coordinate) FT;
       const FT moved = coordinate + FT(distance);
       const bool is_finite = std::isfinite(to_double(moved));
-      if (!std::isfinite(distance) || !(is_finite || m_stays_in_neighborhood))
+      if (!std::isfinite(distance) || !(is_finite || m_is_limited))
         m_check.diverges(" at points[" + std::to_string(i) + "]");
       return is_finite ? moved : coordinate;
     };

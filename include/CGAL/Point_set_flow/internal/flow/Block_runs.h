@@ -19,19 +19,24 @@ namespace CGAL {
 namespace Point_set_flow {
 namespace internal {
 
-/// Results that the caller asks for besides the points
+/// What the caller asks for besides the points
 struct Wanted_results {
-  bool normals, feature_strength, radii;
+  bool normals, feature_strength;
+  bool limited_moves; ///< no point may leave its neighborhood
 };
 
 /// The results for the distinct points.
 struct Flow_result {
-  Array<Point_3> points;
+  Array<Compact_vector_3> moves;   ///< from the reference points, in `unit()`
+  Array<double> radii;             ///< of the neighborhoods
+  bool is_limited = false;         ///< whether no point may leave its neighborhood
   Array<Vector_3> normals;         ///< empty if not wanted; null vectors where there is no plane
   Array<double> feature_strength;  ///< empty if not wanted
-  Array<double> radii;             ///< of the neighborhoods; empty if not wanted
   Array<Rest_reason> rest_reasons; ///< of those that did not move
   double moved = 0.;               ///< the mean distance in the last step
+
+  /// The length of 1 of the moves of a point
+  double unit(std::size_t i) const { return unit_of_moves(radii[i]); }
 
   template <typename T>
   static void append(Array<T>& to, Array<T>&& of_block, const Block& block)
@@ -138,12 +143,14 @@ private:
   Flow_result take_result(std::size_t n)
   {
     m_loops.set_share(1.);
+    m_result.is_limited = m_wanted.limited_moves;
     m_result.moved = std::accumulate(m_moved.begin(), m_moved.end(), 0.) / double(n);
     return std::move(m_result);
   }
 
-  void run_in_turn(const Analyzed_points& points, std::size_t block_size)
+  void run_in_turn(Analyzed_points& points, std::size_t block_size)
   {
+    points.forget_scales();
     const std::size_t n = points.buffer().size();
     for (std::size_t begin = 0; begin < n; begin += block_size) {
       std::vector<std::uint32_t> interior((std::min)(block_size, n - begin));
@@ -172,9 +179,8 @@ private:
       Flow_result::append(m_result.normals, flow.find_normals(), block);
     if (m_wanted.feature_strength)
       Flow_result::append(m_result.feature_strength, flow.find_feature_strength(), block);
-    if (m_wanted.radii)
-      Flow_result::append(m_result.radii, block.graph.take_radii(), block);
-    Flow_result::append(m_result.points, std::move(block.points), block);
+    Flow_result::append(m_result.moves, flow.take_moves(), block);
+    Flow_result::append(m_result.radii, block.graph.take_radii(), block);
   }
 };
 

@@ -67,10 +67,8 @@ public:
   {
     Array<Point_3> filtered;
     for (unsigned int t = 0; t < m_plan.number_of_iterations; ++t) {
-      if (m_plan.update_period != 0 && t != 0 && t % m_plan.update_period == 0) { // section 3.2
-        m_block.reference = Array<Point_3>(); // memory
+      if (m_plan.update_period != 0 && t != 0 && t % m_plan.update_period == 0) // section 3.2
         m_moves.update_reference(t + 1 == m_plan.number_of_iterations);
-      }
       m_state.time = t == 0 ? 0. : t / (m_plan.number_of_iterations - 1.);
 
       if (m_plan.is_prefiltered) {
@@ -85,22 +83,27 @@ public:
       }
       if (uses_surface_estimate) {
         find_planes();
-        if (t == 0) {
+        if (t == 0)
           adapt_neighborhoods(m_block, m_state, m_plan, m_curvature, m_loops);
-          m_resting.find(m_block.graph, m_state.noise.size(),
-                         [&](std::size_t i) { return is_at_rest(i); });
-        }
       }
-
+      if (t == 0)
+        start_moves();
       step(); // also if nothing moves: whether that is so depends on where blocks end
     }
+    if (m_plan.number_of_iterations == 0)
+      start_moves();
     m_moves.finish();
     if constexpr (is_corrected)
       if (m_plan.number_of_corrections > 0) {
-        m_state.residuals = m_moves.residuals(m_state);
+        m_state.residuals = m_moves.residuals(m_state.planes);
         correct(
             m_block.points, m_block.graph, m_state, m_curvature,
-            [&](std::size_t i) { return rest_reason(i) != Rest_reason::OTHER; }, m_loops);
+            [&](std::size_t i) { return rest_reason(i) != Rest_reason::OTHER; },
+            [&](std::size_t i, const Vector_3& move) {
+              m_block.points[i] = m_block.points[i] + move;
+              m_moves.add(i, move);
+            },
+            m_loops);
       }
     if (m_plan.number_of_relaxation_steps != 0)
       relax_points();
@@ -108,6 +111,9 @@ public:
 
   /// How far a point of the block moved in the last step of the flow
   double moved(std::size_t i) const { return m_moves.last_length(i); }
+
+  /// How far the points are from their reference points; see `unit_of_moves()`
+  Array<Compact_vector_3>&& take_moves() { return m_moves.take(); }
 
   /// Why a point of the block did not move, if it did not
   Rest_reason rest_reason(std::size_t i) const
@@ -169,6 +175,17 @@ private:
     relax_along_surface(
         surface(start), m_plan.number_of_relaxation_steps,
         [&](std::size_t i) { return may_move(i); }, m_block.points, m_loops);
+    for (std::size_t i = 0; i < start.size(); ++i)
+      m_moves.add(i, m_block.points[i] - start[i]);
+  }
+
+  void start_moves()
+  {
+    m_moves.start(m_block.points, m_block.reference);
+    m_block.reference = Array<Point_3>(); // memory
+    if (uses_surface_estimate)
+      m_resting.find(m_block.graph, m_state.noise.size(),
+                     [&](std::size_t i) { return is_at_rest(i); });
   }
 
   Surface surface(const Array<Point_3>& points, double narrowing = 1.) const
@@ -197,14 +214,8 @@ private:
   /// Whether a point is where it was measured, and has no noise: it stays in all steps.
   bool is_at_rest(std::size_t i) const
   {
-    return m_plan.may_rest && !(m_state.noise[i] > 0.f) && forcing(i) == NULL_VECTOR;
-  }
-
-  /// The vector from a point back to its reference point
-  Vector_3 forcing(std::size_t i) const
-  {
-    return m_block.reference.empty() ? -m_moves.from_reference(i)
-                                     : m_block.reference[i] - m_block.points[i];
+    return m_plan.may_rest && !(m_state.noise[i] > 0.f) &&
+           m_moves.from_reference(i) == NULL_VECTOR;
   }
 
   bool is_isolated(std::size_t i) const { return surface(m_block.points).is_isolated(i); }
@@ -214,7 +225,7 @@ private:
   {
     const Surface before = surface(m_block.points);
     m_loops.begin_stage(stage_costs::step, 2);
-    m_moves.begin_step(before.size());
+    m_moves.begin_step();
     m_loops.for_each_chunk(before.size(), [&](std::size_t begin, std::size_t end) {
       for (std::size_t i = begin; i < end; ++i)
         m_moves.set(i, may_move(i) && !is_at_rest(i)
@@ -237,7 +248,7 @@ private:
         neighborhood.size() >= 2 ? m_curvature.directional_curvature(neighborhood, plane) : 0.;
     return m_flow({plane.normal, curvature * m_plan.unit, plane.variation,
                    m_plan.is_prefiltered ? m_filtered_variation[i] : plane.variation,
-                   forcing(i) * m_plan.unit},
+                   -m_moves.from_reference(i) * m_plan.unit},
                   m_state.parameters(i).diffusivity);
   }
 };

@@ -4,18 +4,22 @@
 
 #include <CGAL/license/Point_set_flow.h>
 
-#include <CGAL/Point_set_flow/internal/neighbors/Surface.h>
+#include <CGAL/Point_set_flow/internal/neighbors/Neighbor_graph.h>
 #include <CGAL/Point_set_flow/internal/parallel/Compact_vector_3.h>
 
 #include <cmath>
 #include <cstddef>
+#include <utility>
 
 namespace CGAL {
 namespace Point_set_flow {
 namespace internal {
 
-/// How the points move: in the last step, since the update of the reference, and in all steps. In neighborhood
-/// radii, since the range of `float` is small.
+/// The length of 1 of the moves of a point with a neighborhood: the range of `float` is small.
+inline double unit_of_moves(double radius) { return radius > 0. ? radius : 1.; }
+
+/// How the points move: in the last step, and from their reference points, those of the data and, after an update,
+/// those of the flow
 class Moves {
   typedef Array<Compact_vector_3> Vectors;
 
@@ -32,6 +36,15 @@ public:
       : m_graph(graph), m_last(last)
   {}
 
+  /// To be called before the first step, when the neighborhoods are final.
+  /// \param points where they start
+  /// \param reference empty if they start there
+  void start(const Array<Point_3>& points, const Array<Point_3>& reference)
+  {
+    m_all.resize(points.size());
+    for (std::size_t i = 0; i < reference.size(); ++i)
+      m_all[i] = Compact_vector_3((points[i] - reference[i]) / unit(i));
+  }
   /// Makes the reference where the points are now.
   /// \param is_last_step whether the step that follows is the last one: in that step no point is away from it
   void update_reference(bool is_last_step)
@@ -39,13 +52,9 @@ public:
     m_is_updated = true;
     m_since_update = Vectors(is_last_step ? 0 : m_all.size(), Compact_vector_3());
   }
-  /// To be called when the neighborhoods are final.
-  void begin_step(std::size_t n)
-  {
-    m_last.resize(n);
-    m_all.resize(n);
-  }
+  void begin_step() { m_last.resize(m_all.size()); }
 
+  /// Takes the move of a point in the step at hand.
   void set(std::size_t i, const Vector_3& move)
   {
     m_last[i] = Compact_tangent_plane_3(move / unit(i));
@@ -55,7 +64,7 @@ public:
   }
   /// in the step at hand
   Vector_3 operator[](std::size_t i) const { return unit(i) * m_last[i].normal(); }
-  /// from the reference to where a point was before the step
+  /// from the reference, which may be updated, to where a point was before the step
   Vector_3 from_reference(std::size_t i) const
   {
     const Vectors& moves = m_is_updated ? m_since_update : m_all;
@@ -76,19 +85,24 @@ public:
   {
     return m_last_lengths.empty() ? 0. : unit(i) * double(m_last_lengths[i]);
   }
-
-  /// What all steps took off each point, along its normal. Forgets the moves of all steps.
-  Array<double> residuals(const Surface_state& state)
+  /// Takes what moves a point after the last step.
+  void add(std::size_t i, const Vector_3& move)
   {
-    Array<double> result(m_all.size());
-    for (std::size_t i = 0; i < m_all.size(); ++i)
-      result[i] = -unit(i) * (m_all[i].vector() * state.planes[i].normal());
-    m_all = Vectors();
-    return result;
+    m_all[i] = Compact_vector_3(m_all[i].vector() + move / unit(i));
   }
 
+  /// What took each point off the data, along its normal
+  Array<float> residuals(const Array<Compact_tangent_plane_3>& planes) const
+  {
+    Array<float> result(m_all.size());
+    for (std::size_t i = 0; i < m_all.size(); ++i)
+      result[i] = float(-unit(i) * (m_all[i].vector() * planes[i].normal()));
+    return result;
+  }
+  Vectors&& take() { return std::move(m_all); }
+
 private:
-  double unit(std::size_t i) const { return m_graph.radius(i) > 0. ? m_graph.radius(i) : 1.; }
+  double unit(std::size_t i) const { return unit_of_moves(m_graph.radius(i)); }
 };
 
 } // namespace internal

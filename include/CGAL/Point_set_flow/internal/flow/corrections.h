@@ -16,34 +16,36 @@ namespace internal {
 
 /// Moves the result of the flow along the normals of its last step, by what the estimator tells from the
 /// residuals. In each round all points move at once.
-/// \param points are moved
+/// \param points where they are
 /// \param state has the residuals
 /// \param is_fixed tells by its index whether a point stays
-template <typename ConcurrencyTag, typename Curvature, typename Is_fixed>
-void correct(Array<Point_3>& points, const Neighbor_graph& graph, Surface_state& state,
-             const Curvature& curvature, const Is_fixed& is_fixed, Loops<ConcurrencyTag>& loops)
+/// \param move called as `move(i, vector)`, moves a point
+template <typename ConcurrencyTag, typename Curvature, typename Is_fixed, typename Move>
+void correct(const Array<Point_3>& points, const Neighbor_graph& graph, Surface_state& state,
+             const Curvature& curvature, const Is_fixed& is_fixed, const Move& move,
+             Loops<ConcurrencyTag>& loops)
 {
   const std::size_t n = points.size();
   const Surface surface{points, graph, state};
-  Array<double> movements(n);
+  Array<float> movements(n);
   for (unsigned int round = 0; round < Number_of_corrections<Curvature>::value; ++round) {
     loops.begin_stage(stage_costs::network, 2);
     loops.for_each_chunk(n, [&](std::size_t begin, std::size_t end) {
       for (std::size_t i = begin; i < end; ++i) {
         const Neighborhood_3 neighborhood = surface.neighborhood(i);
         movements[i] = is_fixed(i) || !(neighborhood.radius() > 0.)
-                           ? 0.
-                           : curvature.correction(neighborhood, round);
+                           ? 0.f
+                           : float(curvature.correction(neighborhood, round));
       }
     });
     loops.for_each_chunk(n, [&](std::size_t begin, std::size_t end) {
       for (std::size_t i = begin; i < end; ++i) {
-        points[i] = points[i] + movements[i] * state.planes[i].normal();
+        move(i, double(movements[i]) * state.planes[i].normal());
         state.residuals[i] -= movements[i];
       }
     });
   }
-  state.residuals = Array<double>(); // memory
+  state.residuals = Array<float>(); // memory
 }
 
 } // namespace internal

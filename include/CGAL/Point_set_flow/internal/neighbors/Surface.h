@@ -58,7 +58,7 @@ struct Surface_state {
   double time = 0.;      ///< 0 in the first step, 1 in the last
   Array<Side_3> sides;   ///< given or found; empty if none is known
   Array<Sheet_evidence> sheets = {}; ///< empty if not needed
-  Array<double> residuals = {}; ///< what the flow took off, along the normals; empty if not needed
+  Array<float> residuals = {};       ///< what the flow took off, along the normals; empty if not needed
 
   /// Whether the side of a point is known: its neighbors on the opposite side are another sheet then, and
   /// layers on its own side are one surface scanned twice.

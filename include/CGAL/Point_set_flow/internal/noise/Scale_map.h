@@ -10,7 +10,7 @@
 #include <CGAL/Point_set_flow/internal/neighbors/nearest_points.h>
 #include <CGAL/Point_set_flow/internal/noise/Layer_evidence.h>
 #include <CGAL/Point_set_flow/internal/noise/Residual_pool.h>
-#include <CGAL/Point_set_flow/internal/noise/choose_samples.h>
+#include <CGAL/Point_set_flow/internal/noise/Certainty.h>
 
 #include <algorithm>
 #include <cmath>
@@ -33,11 +33,12 @@ class Scale_map {
 public:
   static constexpr int number_of_loops = 9;
 
-  template <typename ConcurrencyTag>
-  Scale_map(const Neighbor_tree& tree, const Neighbor_graph& graph, const Array<Vector_3>& sides,
+  /// \param choose called as `choose(certainty)`, chooses the samples; see `choose_samples()`
+  template <typename Choose, typename ConcurrencyTag>
+  Scale_map(const Neighbor_tree& tree, const Choose& choose, const Array<Vector_3>& sides,
             const Array<std::uint32_t>& scans, const Clearance& clearance,
             Loops<ConcurrencyTag>& loops)
-      : m_certainty(clearance), m_sites(choose_samples(tree.points(), graph, m_certainty, loops)),
+      : m_certainty(clearance), m_sites(choose(m_certainty)),
         m_points(points_at(tree.points(), m_sites)), m_tree(m_points, loops),
         m_scales(m_sites.size())
   {

@@ -4,12 +4,15 @@
 
 #include <CGAL/license/Point_set_flow.h>
 
-#include <CGAL/Point_set_flow/internal/neighbors/Neighbor_graph.h>
+#include <CGAL/Point_set_flow/internal/neighbors/cut_graph.h>
 #include <CGAL/Point_set_flow/internal/noise/Certainty.h>
+#include <CGAL/Point_set_flow/internal/parallel/stage_costs.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <numeric>
 #include <vector>
 
 namespace CGAL {
@@ -74,6 +77,35 @@ std::vector<std::uint32_t> choose_samples(const Array<Point_3>& points, const Ne
   for (std::size_t i = 0; i < n; ++i)
     if (chosen[i])
       sites.push_back(static_cast<std::uint32_t>(i));
+  return sites;
+}
+
+/// The same samples, chosen block by block to save memory: the choice depends on three rings of neighbors.
+/// \param tree of all points, of which none are missing
+template <typename ConcurrencyTag>
+std::vector<std::uint32_t> choose_samples_in_blocks(const Neighbor_tree& tree,
+                                                    std::size_t block_size,
+                                                    Loops<ConcurrencyTag>& loops)
+{
+  const std::size_t n = tree.points().size(), rings = 3;
+  const Clearance whole;
+  std::vector<std::uint32_t> sites;
+  for (std::size_t begin = 0; begin < n; begin += block_size) {
+    std::vector<std::uint32_t> interior((std::min)(block_size, n - begin));
+    std::iota(interior.begin(), interior.end(), static_cast<std::uint32_t>(begin));
+    loops.set_share(double(interior.size()) / double(n));
+    loops.begin_stage(stage_costs::graph);
+    const Cut_graph cut = cut_graph(tree, {choice_size}, interior, rings, loops);
+    Array<Point_3> points;
+    points.reserve(cut.sites.size());
+    for (const std::uint32_t site : cut.sites)
+      points.push_back(tree.points()[site]);
+    Certainty certainty(whole);
+    for (const std::uint32_t place : choose_samples(points, cut.graph, certainty, loops))
+      if (cut.sites[place] >= begin && cut.sites[place] < begin + interior.size())
+        sites.push_back(cut.sites[place]);
+  }
+  loops.set_share(1.);
   return sites;
 }
 

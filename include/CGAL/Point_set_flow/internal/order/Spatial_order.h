@@ -37,6 +37,7 @@ class Spatial_order {
   const Array<Point_3>& m_from;
   Loops<ConcurrencyTag>& m_loops;
   Array<Keyed_index> m_order;
+  Array<std::uint32_t> m_indices; // in the order
 
 public:
   /// \param from distinguishes points at the same place; empty if nothing does
@@ -47,10 +48,14 @@ public:
     for (std::size_t i = 0; i < points.size(); ++i)
       m_order[i].index = static_cast<std::uint32_t>(i);
     sort(m_order.begin(), m_order.end());
+    m_indices.resize(m_order.size());
+    for (std::size_t i = 0; i < m_order.size(); ++i)
+      m_indices[i] = m_order[i].index;
+    m_order = Array<Keyed_index>(); // memory
   }
 
-  std::size_t size() const { return m_order.size(); }
-  std::uint32_t operator[](std::size_t i) const { return m_order[i].index; }
+  std::size_t size() const { return m_indices.size(); }
+  std::uint32_t operator[](std::size_t i) const { return m_indices[i]; }
 
 private:
   void sort(Iterator first, Iterator last)
