@@ -130,14 +130,14 @@ BOOST_AUTO_TEST_CASE(a_correction_follows_scaling_and_is_bounded)
     Case c(seed);
     const double before = curvature.correction(c.neighborhood(), 0);
     double most = 0.;
-    for (const double r : c.residuals)
-      most = (std::max)(most, std::abs(r));
+    for (const float r : c.residuals)
+      most = (std::max)(most, double(std::abs(r)));
     BOOST_TEST(std::abs(before) <= 2. * (std::max)(most, .001 * c.radius()));
     const double factor = std::ldexp(1., 20);
     for (Point_3& p : c.points)
       p = CGAL::ORIGIN + factor * (p - CGAL::ORIGIN);
-    for (double& r : c.residuals)
-      r *= factor;
+    for (float& r : c.residuals)
+      r *= float(factor);
     Surface_estimate_3 surface = c.surface();
     surface.noise *= factor, surface.spacing *= factor;
     const Neighborhood_3 larger(c.points.data(), 0, c.others.data(), c.others.size(), c.radius(),

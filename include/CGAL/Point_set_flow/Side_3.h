@@ -21,11 +21,17 @@ class Side_3 {
 public:
   /// a side that is not known
   Side_3() = default;
-  /// \param direction a unit vector
+  /// \param direction a vector to the side, of any length; if it is a null vector, the side is not known
   explicit Side_3(const Vector_3& direction)
-      : m_x(rounded(direction.x())), m_y(rounded(direction.y())), m_z(rounded(direction.z())),
-        m_is_known(true)
-  {}
+  {
+    const double length = std::sqrt(direction.squared_length());
+    if (!(length > 0.))
+      return;
+    m_x = rounded(direction.x() / length);
+    m_y = rounded(direction.y() / length);
+    m_z = rounded(direction.z() / length);
+    m_is_known = true;
+  }
   bool is_known() const { return m_is_known; } ///< whether the side is known
   /// a vector to the side, of a length near to 1; a null vector if it is not known
   Vector_3 vector() const { return Vector_3(m_x, m_y, m_z) / 127.; }

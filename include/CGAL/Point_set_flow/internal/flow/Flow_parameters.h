@@ -36,7 +36,7 @@ inline std::size_t likely_size(const Flow_parameters& parameters,
 {
   if (number_of_points > parameters.block_size || parameters.neighbor_radius > 0.)
     return 0;
-  return parameters.k ? *parameters.k : defaults.neighborhood_size(.6);
+  return parameters.k ? *parameters.k : defaults.neighborhood_size(.55);
 }
 
 } // namespace internal

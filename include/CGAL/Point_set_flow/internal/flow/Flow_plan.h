@@ -72,6 +72,7 @@ public:
     feature_diffusivity = parameters.feature_threshold ? Diffusivity(*parameters.feature_threshold)
                                                        : Diffusivity::half_at(crease);
     const double above_noise = 2.5; // features exceed the variation that noise causes anywhere
+    parts.reserve(points.scale_map().scales().size());
     for (std::size_t i = 0; i < points.scale_map().scales().size(); ++i) {
       Local_parameters part = plan_size(points, i, parameters);
       part.diffusivity =

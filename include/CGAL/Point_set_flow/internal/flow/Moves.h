@@ -42,6 +42,7 @@ public:
   void start(const Array<Point_3>& points, const Array<Point_3>& reference)
   {
     m_all.resize(points.size());
+    m_last_lengths.reserve(points.size()); // next to the others, to leave no gaps
     for (std::size_t i = 0; i < reference.size(); ++i)
       m_all[i] = Compact_vector_3((points[i] - reference[i]) / unit(i));
   }

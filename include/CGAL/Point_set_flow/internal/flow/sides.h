@@ -17,7 +17,7 @@ namespace internal {
 inline bool is_trusted(const Vector_3& side, const Local_layers& layers)
 {
   return layers.side_trust == Side_trust::TWO_SHEETS ||
-         (layers.side_trust == Side_trust::ONE_SHEET && side * layers.usual_side > 0.);
+         (layers.side_trust == Side_trust::ONE_SHEET && side * layers.usual_side.vector() > 0.);
 }
 
 /// Takes the sides that the caller gave, where they are trusted.

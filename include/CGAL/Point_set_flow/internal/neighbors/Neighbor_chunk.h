@@ -8,6 +8,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <vector>
 
 namespace CGAL {
@@ -17,19 +18,21 @@ namespace internal {
 /// The neighbors of a chunk of points. Most are near in the order of the points, too: their numbers take two
 /// bytes each, relative to that of the point.
 class Neighbor_chunk {
+  static constexpr std::uint16_t is_absolute = (std::numeric_limits<std::uint16_t>::max)();
+
   std::vector<std::int16_t> m_relative;
   /// of points that have a neighbor too far away, one after the other: how many neighbors, and their numbers
   std::vector<std::uint32_t> m_absolute;
-  /// where the neighbors of each point begin, and at the end how many there are. Twice the place in `m_relative`, and
-  /// 1 for points whose place in `m_absolute` is there, in two halves.
-  std::vector<std::uint32_t> m_begins;
+  std::vector<std::uint32_t> m_begins; // of each point, in one of the two
+  std::vector<std::uint16_t> m_sizes;
 
 public:
   /// \param points how many will be added, or more
   /// \param neighbors how many they have, or more
   void reserve(std::size_t points, std::size_t neighbors)
   {
-    m_begins.reserve(points + 1);
+    m_begins.reserve(points);
+    m_sizes.reserve(points);
     m_relative.reserve(neighbors);
   }
 
@@ -43,43 +46,51 @@ public:
     skip(i);
     const std::size_t begin = m_relative.size();
     m_relative.resize(begin + size);
-    bool is_near = true;
+    bool is_near = size < is_absolute;
     for (std::size_t j = 0; j < size; ++j) {
       const std::int64_t difference = std::int64_t(number(j)) - std::int64_t(site);
       m_relative[begin + j] = static_cast<std::int16_t>(difference);
       is_near &= m_relative[begin + j] == difference;
     }
-    if (!is_near) {
-      m_relative.resize(begin);
-      const std::size_t place = m_absolute.size();
-      m_relative.push_back(static_cast<std::int16_t>(place & 0xffff));
-      m_relative.push_back(static_cast<std::int16_t>(place >> 16));
-      m_absolute.push_back(static_cast<std::uint32_t>(size));
-      for (std::size_t j = 0; j < size; ++j)
-        m_absolute.push_back(number(j));
+    if (is_near) {
+      m_begins.push_back(static_cast<std::uint32_t>(begin));
+      m_sizes.push_back(static_cast<std::uint16_t>(size));
+      return;
     }
-    m_begins.push_back(static_cast<std::uint32_t>(2 * begin + (is_near ? 0 : 1)));
+    m_relative.resize(begin);
+    m_begins.push_back(static_cast<std::uint32_t>(m_absolute.size()));
+    m_sizes.push_back(is_absolute);
+    m_absolute.push_back(static_cast<std::uint32_t>(size));
+    for (std::size_t j = 0; j < size; ++j)
+      m_absolute.push_back(number(j));
   }
 
-  /// To be called after the last point.
-  /// \param n the number of points in the chunk
-  void finish(std::size_t n) { skip(n + 1); }
+  /// Points up to the `i`-th that were not added have no neighbors.
+  void skip(std::size_t i)
+  {
+    m_begins.resize(i, 0);
+    m_sizes.resize(i, 0);
+  }
+
+  /// Leaves a point the first of its neighbors. Their memory is not freed: it would be in many small pieces.
+  /// \pre it has not fewer
+  void shrink(std::size_t i, std::size_t size)
+  {
+    if (m_sizes[i] == is_absolute)
+      m_absolute[m_begins[i]] = static_cast<std::uint32_t>(size);
+    else
+      m_sizes[i] = static_cast<std::uint16_t>(size);
+  }
 
   /// \param i the place of the point in the chunk
   /// \param site the number of the point
   Neighbor_numbers neighbors(std::size_t i, std::size_t site) const
   {
-    const std::int16_t* const begin = m_relative.data() + m_begins[i] / 2;
-    if (m_begins[i] % 2 == 0)
-      return Neighbor_numbers(site, begin, m_begins[i + 1] / 2 - m_begins[i] / 2);
-    const std::uint32_t place =
-        std::uint32_t(std::uint16_t(begin[0])) | std::uint32_t(std::uint16_t(begin[1])) << 16;
-    return Neighbor_numbers(m_absolute.data() + place + 1, m_absolute[place]);
+    if (m_sizes[i] != is_absolute)
+      return Neighbor_numbers(site, m_relative.data() + m_begins[i], m_sizes[i]);
+    const std::uint32_t* const absolute = m_absolute.data() + m_begins[i];
+    return Neighbor_numbers(absolute + 1, *absolute);
   }
-
-private:
-  /// Points up to the `i`-th that were not added have no neighbors.
-  void skip(std::size_t i) { m_begins.resize(i, static_cast<std::uint32_t>(2 * m_relative.size())); }
 };
 
 } // namespace internal

@@ -17,6 +17,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <utility>
 #include <vector>
 
@@ -27,7 +28,7 @@ namespace internal {
 /// The nearest neighbors of points, nearest first: the first of them are the neighbors in a smaller neighborhood.
 class Neighbor_graph {
   std::vector<Neighbor_chunk> m_chunks;
-  Array<double> m_radii; // the distance of the farthest neighbor
+  Array<float> m_radii; // the distance of the farthest neighbor, or a little more
 
 public:
   /// A graph without points
@@ -39,9 +40,11 @@ public:
   template <typename Most, typename Fill_chunk, typename ConcurrencyTag>
   Neighbor_graph(std::size_t n, const Most& most, const Fill_chunk& fill_chunk,
                  Loops<ConcurrencyTag>& loops)
-      : m_chunks((n + chunk_size - 1) / chunk_size), m_radii(n, 0.)
+      : m_chunks((n + chunk_size - 1) / chunk_size), m_radii(n, 0.f)
   {
-    change(most, fill_chunk, loops);
+    loops.for_each_chunk(n, [&](std::size_t begin, std::size_t end) {
+      fill(begin, end, most, fill_chunk);
+    });
   }
 
   /// \param sites, n points of the tree, which follow each other in space
@@ -69,7 +72,7 @@ public:
 
   std::size_t number_of_points() const { return m_radii.size(); }
   std::size_t size(std::size_t i) const { return neighbors(i).size(); }
-  double radius(std::size_t i) const { return m_radii[i]; }
+  double radius(std::size_t i) const { return double(m_radii[i]); }
   Neighbor_numbers neighbors(std::size_t i) const { return neighbors(i, i); }
   /// \param site the number of point `i` in the tree
   Neighbor_numbers neighbors(std::size_t i, std::size_t site) const
@@ -83,91 +86,128 @@ public:
   Neighborhood_3 neighborhood(const Array<Point_3>& points, std::size_t i, double filter_width,
                               const Surface_estimate_3& surface = Surface_estimate_3()) const
   {
-    return Neighborhood_3(points.data(), i, neighbors(i), m_radii[i], filter_width, surface);
+    return Neighborhood_3(points.data(), i, neighbors(i), radius(i), filter_width, surface);
   }
 
   /// Whether a point is far from all others: its neighborhood is several times as large as each of its
   /// neighbors'. A scanner's invalid points are, which are written in one place.
   bool is_isolated(std::size_t i) const
   {
-    const double several = 4., limit = m_radii[i] / several;
+    const double several = 4., limit = radius(i) / several;
     const Neighbor_numbers around = neighbors(i);
     for (std::size_t j = 0; j < around.size(); ++j)
-      if (m_radii[around[j]] >= limit)
+      if (radius(around[j]) >= limit)
         return false; // as a rule, the first one
     return true;
   }
 
-  Array<double>&& take_radii() { return std::move(m_radii); }
+  Array<float>&& take_radii() { return std::move(m_radii); }
 
-  /// Leaves each point the nearest of its neighbors, and frees the memory of the others.
+  /// Leaves each point the nearest of its neighbors.
   /// \param points where the points were when the graph was made
-  /// \param sizes how many, for each point; more than there are is as many as there are
+  /// \param sizes how many, for each point; 0, or more than there are, is as many as there are
   template <typename ConcurrencyTag>
   void shrink(const Array<Point_3>& points, const Array<std::uint32_t>& sizes,
               Loops<ConcurrencyTag>& loops)
   {
-    const auto most = [&](std::size_t i) {
-      return sizes[i] == 0 ? size(i) : (std::min)(std::size_t(sizes[i]), size(i));
-    };
-    change(
-        most,
-        [&](std::size_t begin, std::size_t end, const auto& add) {
-          for (std::size_t i = begin; i < end; ++i)
-            add_nearest(points, i, most(i), add);
-        },
-        loops);
+    loops.for_each_chunk(number_of_points(), [&](std::size_t begin, std::size_t end) {
+      for (std::size_t i = begin; i < end; ++i)
+        if (sizes[i] != 0)
+          shrink(points, i, sizes[i]);
+    });
   }
 
   /// Gives each point the neighbors that a search would find, and searches only where those at hand are too few.
   template <typename ConcurrencyTag>
   void adapt(const Neighbor_tree& tree, const Search_options& search, Loops<ConcurrencyTag>& loops)
   {
-    change(
-        [&](std::size_t i) { return (std::min)(search.k_of(i), number_of_points() - 1); },
-        [&](std::size_t begin, std::size_t end, const auto& add) {
-          const auto is_enough = [&](std::size_t i) {
-            return search.k_of(i) <= size(i) || size(i) + 1 == number_of_points();
-          };
-          Group_search find(tree, search);
-          while (begin < end) {
-            std::size_t next = begin;
-            for (; next < end && is_enough(next) == is_enough(begin); ++next)
-              if (is_enough(next))
-                add_nearest(tree.points(), next, search.k_of(next), add);
-            if (!is_enough(begin))
-              find_neighbors(find, Site(0), begin, next, add);
-            begin = next;
-          }
-        },
-        loops);
+    loops.for_each_chunk(number_of_points(), [&](std::size_t begin, std::size_t end) {
+      std::size_t next = begin;
+      while (next < end && is_enough(next, search))
+        ++next;
+      if (next < end)
+        search_again(tree, search, begin, end);
+      else
+        for (std::size_t i = begin; i < end; ++i)
+          shrink(tree.points(), i, search.k_of(i));
+    });
   }
 
 private:
   typedef boost::counting_iterator<std::size_t> Site;
 
-  /// Fills all chunks anew, from what they hold.
-  template <typename Most, typename Fill_chunk, typename ConcurrencyTag>
-  void change(const Most& most, const Fill_chunk& fill_chunk, Loops<ConcurrencyTag>& loops)
+  /// Fills a chunk anew. What it holds can be used meanwhile.
+  template <typename Most, typename Fill_chunk>
+  void fill(std::size_t begin, std::size_t end, const Most& most, const Fill_chunk& fill_chunk)
   {
-    loops.for_each_chunk(number_of_points(), [&](std::size_t begin, std::size_t end) {
-      std::size_t neighbors = 0;
-      for (std::size_t i = begin; i < end; ++i)
-        neighbors += most(i);
-      Neighbor_chunk chunk;
-      chunk.reserve(end - begin, neighbors);
-      fill_chunk(begin, end,
-                 [&](std::size_t i, std::size_t site, std::size_t size, const auto& number,
-                     double radius) {
-                   chunk.add(i - begin, site, size, number);
-                   m_radii[i] = radius;
-                 });
-      chunk.finish(end - begin);
-      // First the memory of the chunk before is freed, then as much as is needed is taken from it: what is left over
-      // is next to that of the next chunk, so that no gaps remain.
-      m_chunks[begin / chunk_size] = Neighbor_chunk();
-      m_chunks[begin / chunk_size] = Neighbor_chunk(chunk);
-    });
+    std::size_t neighbors = 0;
+    for (std::size_t i = begin; i < end; ++i)
+      neighbors += most(i);
+    Neighbor_chunk chunk;
+    chunk.reserve(end - begin, neighbors);
+    fill_chunk(begin, end,
+               [&](std::size_t i, std::size_t site, std::size_t size, const auto& number,
+                   double radius) {
+                 chunk.add(i - begin, site, size, number);
+                 m_radii[i] = rounded_up(radius);
+               });
+    chunk.skip(end - begin);
+    m_chunks[begin / chunk_size] = Neighbor_chunk(); // memory
+    m_chunks[begin / chunk_size] = Neighbor_chunk(chunk); // a copy takes no more than it needs
+  }
+
+  static float rounded_up(double x)
+  {
+    const float rounded = float(x);
+    return double(rounded) < x ? std::nextafter(rounded, (std::numeric_limits<float>::max)())
+                               : rounded;
+  }
+
+  bool is_enough(std::size_t i, const Search_options& search) const
+  {
+    return search.k_of(i) <= size(i) || size(i) + 1 == number_of_points();
+  }
+
+  /// Searches the neighbors of those points of a chunk that have too few.
+  void search_again(const Neighbor_tree& tree, const Search_options& search, std::size_t begin,
+                    std::size_t end)
+  {
+    fill(
+        begin, end, [&](std::size_t i) { return (std::min)(search.k_of(i), number_of_points() - 1); },
+        [&](std::size_t, std::size_t, const auto& add) {
+          Group_search find(tree, search);
+          for (std::size_t i = begin; i < end;) {
+            std::size_t next = i;
+            for (; next < end && is_enough(next, search); ++next) {
+              const Neighbor_numbers all = neighbors(next);
+              const std::size_t count = (std::min)(search.k_of(next), all.size());
+              add(
+                  next, next, count, [&](std::size_t j) { return all[j]; },
+                  radius(tree.points(), next, count));
+            }
+            i = next;
+            while (next < end && !is_enough(next, search))
+              ++next;
+            find_neighbors(find, Site(0), i, next, add);
+            i = next;
+          }
+        });
+  }
+
+  /// The distance of the farthest of the nearest neighbors of a point
+  double radius(const Array<Point_3>& points, std::size_t i, std::size_t count) const
+  {
+    const Neighbor_numbers all = neighbors(i);
+    return count == all.size() || count == 0
+               ? radius(i)
+               : std::sqrt(squared_distance(points[i], points[all[count - 1]]));
+  }
+
+  void shrink(const Array<Point_3>& points, std::size_t i, std::size_t most)
+  {
+    const std::size_t count = (std::min)(most, size(i));
+    m_radii[i] = rounded_up(radius(points, i, count));
+    m_chunks[i / chunk_size].shrink(i % chunk_size, count);
   }
 
   template <typename Iterator, typename Add>
@@ -183,19 +223,6 @@ private:
                found.empty() ? 0. : std::sqrt(found.back().squared_distance));
            ++i;
          });
-  }
-
-  template <typename Add>
-  void add_nearest(const Array<Point_3>& points, std::size_t i, std::size_t most,
-                   const Add& add) const
-  {
-    const Neighbor_numbers all = neighbors(i);
-    const std::size_t count = (std::min)(most, all.size());
-    const double radius = count == all.size() || count == 0
-                              ? m_radii[i]
-                              : std::sqrt(squared_distance(points[i], points[all[count - 1]]));
-    add(
-        i, i, count, [&](std::size_t j) { return all[j]; }, radius);
   }
 };
 

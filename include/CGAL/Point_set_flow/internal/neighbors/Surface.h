@@ -5,6 +5,7 @@
 #include <CGAL/license/Point_set_flow.h>
 
 #include <CGAL/Point_set_flow/Diffusivity.h>
+#include <CGAL/Point_set_flow/Side_3.h>
 #include <CGAL/Point_set_flow/internal/neighbors/Neighbor_graph.h>
 
 #include <algorithm>
@@ -18,7 +19,7 @@ namespace Point_set_flow {
 namespace internal {
 
 /// How far the given sides can be trusted around a sample
-enum class Side_trust {
+enum class Side_trust : std::uint8_t {
   NONE,
   ONE_SHEET, ///< nearly all sides agree; those that do not are wrong
   TWO_SHEETS ///< opposite sides are those of two sheets that lie apart
@@ -27,9 +28,9 @@ enum class Side_trust {
 /// What is known of layers around a sample
 struct Local_layers {
   Side_trust side_trust = Side_trust::NONE;
-  Vector_3 usual_side = NULL_VECTOR; ///< the given side of most points
-  bool has_two_sheets = false;       ///< whether the largest neighborhoods hold those of two sheets
-  double of_scans = 0.;              ///< the share of the variance that the scans explain
+  bool has_two_sheets = false; ///< whether the largest neighborhoods hold those of two sheets
+  Side_3 usual_side;           ///< the given side of most points
+  float of_scans = 0.f;        ///< the share of the variance that the scans explain
 };
 
 /// What suits the points around a sample, which make a part of the point set

@@ -83,8 +83,8 @@ public:
         const double count = double(near.size(i) + 1);
         if (!sides.empty())
           m_layers[i].side_trust = trust(sum, count);
-        m_layers[i].usual_side = evidence[i].side;
-        m_layers[i].of_scans = sum.scans.share / count;
+        m_layers[i].usual_side = Side_3(evidence[i].side);
+        m_layers[i].of_scans = float(sum.scans.share / count);
         m_variances[i] = (std::max)(sum.scans.variance, 0.) / count;
       }
     };
@@ -104,7 +104,7 @@ public:
     if (m_layers.empty())
       return noise;
     const double variance = noise * noise;
-    return std::sqrt((std::max)(variance, variance * (1. - m_layers[i].of_scans) + m_variances[i]));
+    return std::sqrt((std::max)(variance, variance * (1. - double(m_layers[i].of_scans)) + m_variances[i]));
   }
 
 private:

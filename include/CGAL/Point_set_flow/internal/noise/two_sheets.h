@@ -79,8 +79,8 @@ struct Sheet_fit {
     const double between = std::sqrt(share(-excess, doubtful, 2.)); // of the variance
     double is_wall =
         is_sided ? 0. : 1.; // or else registration error, as far as the scans explain it
-    if (local.layers.of_scans > 0. && between > 0.)
-      is_wall *= 1. - (std::min)(local.layers.of_scans / between, 1.);
+    if (local.layers.of_scans > 0.f && between > 0.)
+      is_wall *= 1. - (std::min)(double(local.layers.of_scans) / between, 1.);
     if (is_wall * between > 0. && !is_given)
       noise = (std::min)(noise, spacing * std::sqrt(variance * (1. - is_wall * between)));
 
@@ -200,7 +200,7 @@ Sheets fit_sheets(const Surface& surface, const Array<Compact_moments>& moments,
         sheets.sizes[i] = fit.size;
         holds_two_sheets = fit.holds_two_sheets;
       }
-      const double explained = .25; // by the scans: then layers are a registration error
+      const float explained = .25f; // by the scans: then layers are a registration error
       if (!surface.state.sheets.empty() && local.layers.of_scans < explained &&
           is_likely(surface.state.sheets[i], double(noise[i]))) {
         holds_two_sheets = true;
