@@ -24,6 +24,7 @@ struct Case {
   std::vector<std::uint32_t> others;
   std::vector<Compact_tangent_plane_3> planes;
   std::vector<float> residuals;
+  std::vector<double> radii;
   std::vector<Sheet_evidence> sheets;
   double deviation, excess;
 
@@ -44,6 +45,7 @@ struct Case {
       if (i > 0)
         others.push_back(std::uint32_t(i));
     }
+    radii.assign(n, radius());
   }
   Surface_estimate_3 surface() const
   {
@@ -51,6 +53,7 @@ struct Case {
     s.planes = planes.data();
     s.noise = .1, s.spacing = .5, s.time = 1.;
     s.residuals = residuals.data();
+    s.radii = radii.data();
     s.sheets = sheets.data();
     s.deviation = deviation, s.excess = excess;
     return s;
@@ -131,13 +134,13 @@ BOOST_AUTO_TEST_CASE(a_correction_follows_scaling_and_is_bounded)
     const double before = curvature.correction(c.neighborhood(), 0);
     double most = 0.;
     for (const float r : c.residuals)
-      most = (std::max)(most, double(std::abs(r)));
+      most = (std::max)(most, double(std::abs(r)) * c.radius());
     BOOST_TEST(std::abs(before) <= 2. * (std::max)(most, .001 * c.radius()));
     const double factor = std::ldexp(1., 20);
     for (Point_3& p : c.points)
       p = CGAL::ORIGIN + factor * (p - CGAL::ORIGIN);
-    for (float& r : c.residuals)
-      r *= float(factor);
+    for (double& r : c.radii)
+      r *= factor;
     Surface_estimate_3 surface = c.surface();
     surface.noise *= factor, surface.spacing *= factor;
     const Neighborhood_3 larger(c.points.data(), 0, c.others.data(), c.others.size(), c.radius(),

@@ -34,9 +34,10 @@ struct Surface_estimate_3 {
   /// for each point, the side of the surface on which it was measured, given or found, if it is known and to be
   /// trusted; or null
   const Side_3* sides = nullptr;
-  /// for each point, how far it was above the place where it is now before the flow, along its normal;
-  /// or null
+  /// for each point, how far it was above the place where it is now before the flow, along its normal, in its
+  /// neighborhood radius; or null
   const float* residuals = nullptr;
+  const double* radii = nullptr; ///< for each point, the neighborhood radius, if the residuals are known
   const Sheet_evidence* sheets = nullptr; ///< for each point, or null
   /// the standard deviation of the distances from the tangent planes around the point, if there is evidence of sheets
   double deviation = 0.;
@@ -169,10 +170,10 @@ public:
   bool has_residuals() const { return m_surface.residuals != nullptr; }
   /// the height of the point in the middle before the flow above where it is now, along its normal
   /// \pre `has_residuals()`
-  double residual() const { return double(m_surface.residuals[m_center]); }
+  double residual() const { return residual_of(m_center); }
   /// the residual of a neighbor, along its own normal
   /// \pre `has_residuals()`
-  double residual(std::size_t j) const { return double(m_surface.residuals[m_neighbors[j]]); }
+  double residual(std::size_t j) const { return residual_of(m_neighbors[j]); }
 
   /// the standard deviation of the noise around the point, as estimated before the first step; 0
   /// unless the estimator declares `Uses_surface_estimate`
@@ -208,6 +209,12 @@ public:
     const double sigma = gaussian_width(), divisor = 2. * sigma * sigma;
     // a width of 0, or a neighborhood shrunk to a point, leaves the point alone
     return divisor > 0. ? std::exp(-squared_distance / divisor) : (squared_distance > 0. ? 0. : 1.);
+  }
+
+private:
+  double residual_of(std::size_t i) const
+  {
+    return double(m_surface.residuals[i]) * m_surface.radii[i];
   }
 };
 

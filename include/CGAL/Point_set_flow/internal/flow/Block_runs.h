@@ -28,7 +28,7 @@ struct Wanted_results {
 /// The results for the distinct points.
 struct Flow_result {
   Array<Compact_vector_3> moves;   ///< from the reference points, in `unit()`
-  Array<float> radii;              ///< of the neighborhoods
+  Array<double> radii;             ///< of the neighborhoods
   bool is_limited = false;         ///< whether no point may leave its neighborhood
   Array<Vector_3> normals;         ///< empty if not wanted; null vectors where there is no plane
   Array<double> feature_strength;  ///< empty if not wanted
@@ -36,7 +36,7 @@ struct Flow_result {
   double moved = 0.;               ///< the mean distance in the last step
 
   /// The length of 1 of the moves of a point
-  double unit(std::size_t i) const { return unit_of_moves(double(radii[i])); }
+  double unit(std::size_t i) const { return unit_of_moves(radii[i]); }
 
   template <typename T>
   static void append(Array<T>& to, Array<T>&& of_block, const Block& block)
@@ -82,7 +82,7 @@ class Block_runs {
   const Curvature& m_curvature;
   const Wanted_results m_wanted;
   Loops<ConcurrencyTag>& m_loops;
-  std::vector<double> m_moved; // sums over chunks, the same for any blocks
+  std::vector<double> m_moved; // see `Flow_run::moved()`
   Flow_result m_result;
 
 public:
@@ -169,12 +169,9 @@ private:
     Flow_run<ConcurrencyTag, Flow, Curvature> flow(m_plan, block, m_flow, m_curvature, m_loops);
     flow();
     m_result.rest_reasons.reserve(m_plan.number_of_distinct_points); // not earlier, to save memory
-    for (std::size_t i = 0; i < block.interior_size(); ++i) {
-      if (i % chunk_size == 0)
-        m_moved.push_back(0.);
-      m_moved.back() += flow.moved(block.interior_place(i));
+    m_moved.insert(m_moved.end(), flow.moved().begin(), flow.moved().end());
+    for (std::size_t i = 0; i < block.interior_size(); ++i)
       m_result.rest_reasons.push_back(flow.rest_reason(block.interior_place(i)));
-    }
     if (m_wanted.normals)
       Flow_result::append(m_result.normals, flow.find_normals(), block);
     if (m_wanted.feature_strength)

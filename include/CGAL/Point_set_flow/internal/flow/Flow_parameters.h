@@ -28,7 +28,7 @@ struct Flow_parameters {
   std::size_t block_size = std::size_t(1) << 22;
 };
 
-/// How many neighbors of each point will suit the flow, before that is known: those for noise of .6 spacings if
+/// How many neighbors of each point will suit the flow, before that is known: those for noise of .55 spacings if
 /// they are not given. Searched once, they serve the analysis and the flow.
 /// \return 0 if the neighbors are searched anew for the flow: block by block, or with a limit
 inline std::size_t likely_size(const Flow_parameters& parameters,

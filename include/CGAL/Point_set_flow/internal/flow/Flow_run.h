@@ -4,7 +4,6 @@
 
 #include <CGAL/license/Point_set_flow.h>
 
-#include <CGAL/Point_set_flow/Covariance_curvature.h>
 #include <CGAL/Point_set_flow/flows.h>
 #include <CGAL/Point_set_flow/internal/flow/Flow_plan.h>
 #include <CGAL/Point_set_flow/internal/flow/adapt_neighborhoods.h>
@@ -16,6 +15,7 @@
 #include <CGAL/Point_set_flow/internal/flow/Rest_reason.h>
 #include <CGAL/Point_set_flow/internal/flow/Resting_points.h>
 #include <CGAL/Point_set_flow/internal/flow/sides.h>
+#include <CGAL/Point_set_flow/internal/flow/surface_results.h>
 #include <CGAL/Point_set_flow/internal/flow/tangent_planes.h>
 #include <CGAL/Point_set_flow/internal/neighbors/Block.h>
 
@@ -23,6 +23,7 @@
 #include <cmath>
 #include <cstddef>
 #include <utility>
+#include <vector>
 
 namespace CGAL {
 namespace Point_set_flow {
@@ -42,6 +43,7 @@ class Flow_run {
   Surface_state m_state;
   Array<Compact_tangent_plane_3> m_spare; // for the next tangent planes, or the moves of a step
   Moves m_moves;
+  std::vector<double> m_moved; // see `moved()`
   Resting_points m_resting;
   Array<double> m_filtered_variation; // of the prefiltered surface, if the flow looks at it
 
@@ -92,6 +94,7 @@ public:
     }
     if (m_plan.number_of_iterations == 0)
       start_moves();
+    sum_up_last_moves();
     m_moves.finish();
     if constexpr (is_corrected)
       if (m_plan.number_of_corrections > 0) {
@@ -109,8 +112,8 @@ public:
       relax_points();
   }
 
-  /// How far a point of the block moved in the last step of the flow
-  double moved(std::size_t i) const { return m_moves.last_length(i); }
+  /// How far the points of the interior moved in the last step of the flow: sums over chunks, the same for any blocks
+  const std::vector<double>& moved() const { return m_moved; }
 
   /// How far the points are from their reference points; see `unit_of_moves()`
   Array<Compact_vector_3>&& take_moves() { return m_moves.take(); }
@@ -132,35 +135,19 @@ public:
   /// The normals of the points where they are now; null vectors where there is no plane.
   Array<Vector_3> find_normals()
   {
-    Array<Vector_3> normals(m_block.points.size());
     // Without noise, near neighbors are more informative, and the strict weights of the last step
     // would only reproduce the normals of the step before.
     const double narrowing = uses_surface_estimate ? .5 : 1.;
     m_state.time = 0.;
     m_loops.begin_stage(stage_costs::planes);
-    find_tangent_planes(
-        surface(m_block.points, narrowing), m_curvature,
-        [&](std::size_t i, const Tangent_plane_3& plane) {
-          const double squared = plane.normal.squared_length(); // it may be a compact one
-          normals[i] = squared > 0. ? plane.normal / std::sqrt(squared) : plane.normal;
-        },
-        m_loops);
-    return normals;
+    return normals_of(surface(m_block.points, narrowing), m_curvature, m_loops);
   }
 
-  /// \f$1 - g\f$ of the surface variation, Eq. (2), of the points where they are now, with g 1/2 at
-  /// a crease of the sharpness angle if the caller gave no K
+  /// The feature strength of the points where they are now
   Array<double> find_feature_strength()
   {
-    Array<double> strength(m_block.points.size());
     m_loops.begin_stage(stage_costs::planes);
-    find_tangent_planes(
-        surface(m_block.points), Covariance_curvature(),
-        [&](std::size_t i, const Tangent_plane_3& plane) {
-          strength[i] = 1. - m_plan.feature_diffusivity(plane.variation);
-        },
-        m_loops);
-    return strength;
+    return feature_strength_of(surface(m_block.points), m_plan.feature_diffusivity, m_loops);
   }
 
 private:
@@ -177,6 +164,15 @@ private:
         [&](std::size_t i) { return may_move(i); }, m_block.points, m_loops);
     for (std::size_t i = 0; i < start.size(); ++i)
       m_moves.add(i, m_block.points[i] - start[i]);
+  }
+
+  void sum_up_last_moves()
+  {
+    for (std::size_t i = 0; i < m_block.interior_size(); ++i) {
+      if (i % chunk_size == 0)
+        m_moved.push_back(0.);
+      m_moved.back() += std::sqrt(m_moves[m_block.interior_place(i)].squared_length());
+    }
   }
 
   void start_moves()

@@ -7,7 +7,6 @@
 #include <CGAL/Point_set_flow/internal/neighbors/Neighbor_graph.h>
 #include <CGAL/Point_set_flow/internal/parallel/Compact_vector_3.h>
 
-#include <cmath>
 #include <cstddef>
 #include <utility>
 
@@ -25,7 +24,6 @@ class Moves {
 
   const Neighbor_graph& m_graph;
   Array<Compact_tangent_plane_3>& m_last;
-  Array<float> m_last_lengths; // empty as long as the moves themselves are there
   Vectors m_all, m_since_update;
   bool m_is_updated = false;
 
@@ -42,7 +40,6 @@ public:
   void start(const Array<Point_3>& points, const Array<Point_3>& reference)
   {
     m_all.resize(points.size());
-    m_last_lengths.reserve(points.size()); // next to the others, to leave no gaps
     for (std::size_t i = 0; i < reference.size(); ++i)
       m_all[i] = Compact_vector_3((points[i] - reference[i]) / unit(i));
   }
@@ -63,8 +60,11 @@ public:
     if (!m_since_update.empty())
       m_since_update[i] = Compact_vector_3(m_since_update[i].vector() + m_last[i].normal());
   }
-  /// in the step at hand
-  Vector_3 operator[](std::size_t i) const { return unit(i) * m_last[i].normal(); }
+  /// in the last step; null if there was none
+  Vector_3 operator[](std::size_t i) const
+  {
+    return m_last.empty() ? Vector_3(NULL_VECTOR) : unit(i) * m_last[i].normal();
+  }
   /// from the reference, which may be updated, to where a point was before the step
   Vector_3 from_reference(std::size_t i) const
   {
@@ -72,19 +72,11 @@ public:
     return moves.empty() ? Vector_3(NULL_VECTOR) : unit(i) * moves[i].vector();
   }
 
-  /// To be called after the last step. Leaves of it the lengths only.
+  /// To be called after the last step: forgets it.
   void finish()
   {
-    m_last_lengths.reserve(m_last.size());
-    for (const Compact_tangent_plane_3& move : m_last)
-      m_last_lengths.push_back(float(std::sqrt(move.normal().squared_length())));
     m_last = Array<Compact_tangent_plane_3>();
     m_since_update = Vectors();
-  }
-  /// The length of the last move
-  double last_length(std::size_t i) const
-  {
-    return m_last_lengths.empty() ? 0. : unit(i) * double(m_last_lengths[i]);
   }
   /// Takes what moves a point after the last step.
   void add(std::size_t i, const Vector_3& move)
@@ -92,12 +84,12 @@ public:
     m_all[i] = Compact_vector_3(m_all[i].vector() + move / unit(i));
   }
 
-  /// What took each point off the data, along its normal
+  /// What took each point off the data, along its normal, in neighborhood radii
   Array<float> residuals(const Array<Compact_tangent_plane_3>& planes) const
   {
     Array<float> result(m_all.size());
     for (std::size_t i = 0; i < m_all.size(); ++i)
-      result[i] = float(-unit(i) * (m_all[i].vector() * planes[i].normal()));
+      result[i] = float(-(m_all[i].vector() * planes[i].normal()));
     return result;
   }
   Vectors&& take() { return std::move(m_all); }

@@ -54,7 +54,6 @@ void adapt_neighborhoods(Block& block, Surface_state& state, const Flow_plan& pl
   constexpr bool finds_sheets = Number_of_sheet_rounds<Curvature>::value > 0;
   loops.begin_stage(stage_costs::sheets, sheet_loops);
   const Surface surface{block.points, block.graph, state};
-  state.sides.reserve(block.points.size()); // before what is freed, to leave no gap there
   Array<signed char> sides;
   Array<Compact_moments> moments = find_moments(surface, sides, loops);
   Array<float> deviations;

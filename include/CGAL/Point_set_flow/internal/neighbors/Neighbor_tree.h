@@ -51,7 +51,7 @@ struct Box_3 {
 /// follow each other, so that there is nothing to sort, and searches come across points in their order.
 /// `Neighbor_query` and `Group_search` search it.
 class Neighbor_tree {
-  static constexpr std::size_t leaf_size = 16;
+  static constexpr std::size_t leaf_size = 32;
 
 public:
   /// Points that follow each other, and what comes after them
@@ -70,7 +70,7 @@ public:
   /// \param points in the order of the curve, or searching is slow
   Neighbor_tree(const Array<Point_3>& points, const Progress& progress) : m_points(points)
   {
-    m_nodes.reserve(points.size() / 4); // more than there are on surfaces
+    m_nodes.reserve(points.size() / 8); // about as many as there are on surfaces
     if (!points.empty())
       add_node(0, points.size(), progress);
   }

@@ -59,7 +59,8 @@ struct Surface_state {
   double time = 0.;      ///< 0 in the first step, 1 in the last
   Array<Side_3> sides;   ///< given or found; empty if none is known
   Array<Sheet_evidence> sheets = {}; ///< empty if not needed
-  Array<float> residuals = {};       ///< what the flow took off, along the normals; empty if not needed
+  /// what the flow took off, along the normals, in neighborhood radii; empty if not needed
+  Array<float> residuals = {};
 
   /// Whether the side of a point is known: its neighbors on the opposite side are another sheet then, and
   /// layers on its own side are one surface scanned twice.
