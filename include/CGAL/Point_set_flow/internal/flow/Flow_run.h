@@ -94,7 +94,7 @@ public:
     }
     if (m_plan.number_of_iterations == 0)
       start_moves();
-    sum_up_last_moves();
+    m_moved = last_distances(m_moves, m_block);
     m_moves.finish();
     if constexpr (is_corrected)
       if (m_plan.number_of_corrections > 0) {
@@ -112,7 +112,7 @@ public:
       relax_points();
   }
 
-  /// How far the points of the interior moved in the last step of the flow: sums over chunks, the same for any blocks
+  /// How far the points moved in the last step; see `last_distances()`
   const std::vector<double>& moved() const { return m_moved; }
 
   /// How far the points are from their reference points; see `unit_of_moves()`
@@ -164,15 +164,6 @@ private:
         [&](std::size_t i) { return may_move(i); }, m_block.points, m_loops);
     for (std::size_t i = 0; i < start.size(); ++i)
       m_moves.add(i, m_block.points[i] - start[i]);
-  }
-
-  void sum_up_last_moves()
-  {
-    for (std::size_t i = 0; i < m_block.interior_size(); ++i) {
-      if (i % chunk_size == 0)
-        m_moved.push_back(0.);
-      m_moved.back() += std::sqrt(m_moves[m_block.interior_place(i)].squared_length());
-    }
   }
 
   void start_moves()

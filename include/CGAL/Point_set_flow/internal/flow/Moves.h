@@ -4,11 +4,14 @@
 
 #include <CGAL/license/Point_set_flow.h>
 
-#include <CGAL/Point_set_flow/internal/neighbors/Neighbor_graph.h>
+#include <CGAL/Point_set_flow/Tangent_plane_3.h>
+#include <CGAL/Point_set_flow/internal/neighbors/Block.h>
 #include <CGAL/Point_set_flow/internal/parallel/Compact_vector_3.h>
 
+#include <cmath>
 #include <cstddef>
 #include <utility>
+#include <vector>
 
 namespace CGAL {
 namespace Point_set_flow {
@@ -97,6 +100,18 @@ public:
 private:
   double unit(std::size_t i) const { return unit_of_moves(m_graph.radius(i)); }
 };
+
+/// How far the points of the interior moved in the last step: sums over chunks, the same for any blocks
+inline std::vector<double> last_distances(const Moves& moves, const Block& block)
+{
+  std::vector<double> sums;
+  for (std::size_t i = 0; i < block.interior_size(); ++i) {
+    if (i % chunk_size == 0)
+      sums.push_back(0.);
+    sums.back() += std::sqrt(moves[block.interior_place(i)].squared_length());
+  }
+  return sums;
+}
 
 } // namespace internal
 } // namespace Point_set_flow
