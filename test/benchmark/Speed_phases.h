@@ -30,17 +30,22 @@ typedef std::vector<Phase> Phases;
 inline Phases phases_of_a_run()
 {
   using namespace CGAL::Point_set_flow::internal;
-  typedef CGAL::Point_set_flow::Tangent_plane_curvature Curvature;
+  typedef Default_curvature Curvature;
   namespace costs = stage_costs;
   Phases phases = {{"copy in, order", costs::order}, {"tree", costs::tree},
                    {"graph", costs::graph},          {"scale", costs::scale},
                    {"adapt", costs::adapt},          {"tangent planes", costs::planes},
-                   {"two sheets", costs::sheets},    {"shrink", costs::shrink},
-                   {"flow steps", costs::step}};
+                   {"two sheets", costs::sheets}};
+  for (unsigned int round = 0; round < Number_of_sheet_rounds<Curvature>::value; ++round)
+    phases.push_back({"learned: sheets", costs::network});
+  phases.push_back({"shrink", costs::shrink});
+  phases.push_back({"flow steps", costs::step});
   for (unsigned int t = 1; t < Defaults_of<Curvature>::get().number_of_iterations; ++t) {
     phases.push_back({"tangent planes", costs::planes});
     phases.push_back({"flow steps", costs::step});
   }
+  for (unsigned int round = 0; round < Number_of_corrections<Curvature>::value; ++round)
+    phases.push_back({"learned: correction", costs::network});
   phases.push_back({"copy out", 0.});
   return phases;
 }

@@ -46,12 +46,11 @@ public:
   {
     typedef internal::Sheet_input Input;
     Sheet_evidence found = neighborhood.sheets();
-    const float least = -4.f; // of the network
-    const bool is_excluded =
-        round > 0 ? found.two_sheets == least
-                  : !(neighborhood.deviation() > 0.) ||
-                        internal::Sheet_gate(neighborhood)(internal::sheet_gate_weights) < 0.;
-    if (is_excluded) {
+    const float least = -4.f, hardly = -3.f; // the outputs are between -4 and 4
+    if (round > 0 && found.two_sheets < hardly)
+      return found;
+    if (round == 0 && (!(neighborhood.deviation() > 0.) ||
+                       internal::Sheet_gate(neighborhood)(internal::sheet_gate_weights) < 0.)) {
       found.two_sheets = least;
       return found;
     }
