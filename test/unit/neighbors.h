@@ -144,12 +144,13 @@ BOOST_AUTO_TEST_CASE(a_graph_adapts_to_other_numbers_of_neighbors)
   Loops loops(nullptr, 1.);
   const internal::Neighbor_tree tree(points, loops);
   const internal::Array<std::uint32_t> part_of = three_parts(points.size(), 5);
-  const internal::Search_options search = {0, 0., {7, 20, 50}, &part_of};
-  const internal::Neighbor_graph expected(tree, search, loops);
-  internal::Neighbor_graph graph(tree, {20}, loops);
-  graph.adapt(tree, search, loops);
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    require_same_neighborhood(graph, expected, i);
+  for (const std::uint32_t most : {50u, 20u}) { // for which a search is needed, and for which none is
+    const internal::Search_options search = {0, 0., {7, 20, most}, &part_of};
+    const internal::Neighbor_graph expected(tree, search, loops);
+    internal::Neighbor_graph graph(tree, {20}, loops);
+    graph.adapt(tree, search, loops);
+    for (std::size_t i = 0; i < points.size(); ++i)
+      require_same_neighborhood(graph, expected, i);
   }
 }
 

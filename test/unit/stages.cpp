@@ -4,6 +4,7 @@
 #define BOOST_TEST_MODULE stages
 #include <boost/test/unit_test.hpp>
 
+#include "cuts.h"
 #include "neighbors.h"
 #include "order.h"
 
