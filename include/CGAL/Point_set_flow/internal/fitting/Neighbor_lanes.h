@@ -5,7 +5,7 @@
 #include <CGAL/license/Point_set_flow.h>
 
 #include <CGAL/Point_set_flow/Neighborhood_3.h>
-#include <CGAL/Point_set_flow/internal/fitting/Lanes.h>
+#include <CGAL/Point_set_flow/internal/fitting/Lane_vectors.h>
 
 #include <algorithm>
 #include <cmath>
@@ -15,14 +15,14 @@ namespace CGAL {
 namespace Point_set_flow {
 namespace internal {
 
-/// The neighbors of a point, four at a time, with lengths in neighborhood radii. The last are filled up with the
+/// The neighbors of a point, as many at a time as there are lanes, with lengths in neighborhood radii. The last are filled up with the
 /// point itself, at a distance of 0 and with its own normal.
 class Neighbor_lanes {
   const Neighborhood_3& m_neighborhood;
   const double m_scale;
 
 public:
-  static constexpr std::size_t width = 4;
+  static constexpr std::size_t width = lane_width;
   const Lanes_3 normal; ///< of the point; null if it is not known
 
   explicit Neighbor_lanes(const Neighborhood_3& neighborhood)
@@ -39,9 +39,11 @@ public:
   BOOST_FORCEINLINE Lane_numbers numbers(std::size_t j) const
   {
     const Neighbor_numbers& all = m_neighborhood.numbers();
-    const std::size_t point = m_neighborhood.center_number(), left = all.size() - j;
-    return {{all[j], left > 1 ? all[j + 1] : point, left > 2 ? all[j + 2] : point,
-             left > 3 ? all[j + 3] : point}};
+    const std::size_t left = all.size() - j;
+    if (left >= width)
+      return lane_numbers([&](std::size_t l) -> std::size_t { return all[j + l]; });
+    const std::size_t point = m_neighborhood.center_number();
+    return lane_numbers([&](std::size_t l) { return l < left ? all[j + l] : point; });
   }
 
   /// from the point to others

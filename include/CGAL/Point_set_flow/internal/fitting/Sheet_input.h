@@ -21,12 +21,12 @@ struct Sheet_input : Network_input<3, 3, 4, 2> {
   [[gnu::flatten]] explicit Sheet_input(const Neighborhood_3& neighborhood)
       : Network_input(neighborhood)
   {
-    for (int i = 0; i < size; ++i) {
-      const Edge edge = read_edge(neighborhood, i);
-      const Sheet_evidence& found = neighborhood.sheets(edge.neighbor);
+    for (std::size_t i = 0; i < std::size_t(size); ++i) {
+      const Sheet_evidence& found = neighborhood.sheets(spread(neighborhood, i));
       at(even[2], i) = found.two_sheets;
-      at(odd[2], i) = found.side * static_cast<float>(edge.side);
+      at(odd[2], i) = found.side;
     }
+    read_edges(neighborhood);
     Lanes heights = Lanes::Zero(), squares = Lanes::Zero();
     for (const Lanes& height : odd[0])
       heights += height;

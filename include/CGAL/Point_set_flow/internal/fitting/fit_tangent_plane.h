@@ -17,7 +17,7 @@ namespace CGAL {
 namespace Point_set_flow {
 namespace internal {
 
-/// Sums over neighbors, four at a time, of weights, weighted differences and their products
+/// Sums over neighbors, in lanes, of weights, weighted differences and their products
 struct Weighted_moments {
   Lanes sum = Lanes::Zero(), x = sum, y = sum, z = sum;
   Lanes xx = sum, xy = sum, xz = sum, yy = sum, yz = sum, zz = sum;

@@ -17,7 +17,7 @@ namespace CGAL {
 namespace Point_set_flow {
 namespace internal {
 
-/// The distances of a point \f$p_i\f$ from four of its neighbors \f$p_j\f$, taken along both normals:
+/// The distances of a point \f$p_i\f$ from some of its neighbors \f$p_j\f$, taken along both normals:
 /// \f$d_j = \frac12 [(p_i - p_j) \cdot n_i \pm (p_i - p_j) \cdot n_j]\f$ with the sign of
 /// \f$n_i \cdot n_j\f$. On a sphere the two terms differ in sign only. Lengths are in neighborhood radii.
 struct Plane_distances {
