@@ -67,28 +67,27 @@ BOOST_FORCEINLINE Lanes_3 differences(const Point_3* points, const Point_3& from
   using namespace Eigen::internal;
   static_assert(sizeof(Point_3) == 3 * sizeof(double), "points are three doubles");
   const double* const p = &*from.cartesian_begin();
-  const Packet_2 xy = ploadu<Packet_2>(p), z = pset1<Packet_2>(p[2]);
+  const Packet_2 x = pset1<Packet_2>(p[0]), y = pset1<Packet_2>(p[1]), z = pset1<Packet_2>(p[2]);
   const Packet_2 scales = pset1<Packet_2>(scale);
-  typedef PacketBlock<Packet_2, 2> Columns; // x and y of two points
-  const auto columns = [&](std::size_t l) {
+  typedef PacketBlock<Packet_2, 2> Columns;
+  const auto columns = [&](std::size_t l, int first) { // two coordinates of two points
     const auto row = [&](std::size_t number) {
-      const Packet_2 q = ploadu<Packet_2>(&*points[number].cartesian_begin());
-      return pmul(psub(q, xy), scales);
+      return ploadu<Packet_2>(&*points[number].cartesian_begin() + first);
     };
     Columns block = {{row(to[l]), row(to[l + 1])}};
     ptranspose(block);
     return block;
   };
-  const auto heights = [&](std::size_t l) {
-    const std::ptrdiff_t step = std::ptrdiff_t(to[l + 1]) - std::ptrdiff_t(to[l]);
-    const double* const q = &*points[to[l]].cartesian_begin() + 2;
-    return pmul(psub(pgather<double, Packet_2>(q, 3 * step), z), scales);
+  const auto narrowed = [&](const Packet_2& low, const Packet_2& high, const Packet_2& origin) {
+    return pcast<Packet_2, Packet_4>(pmul(psub(low, origin), scales),
+                                     pmul(psub(high, origin), scales));
   };
   return in_fours([&](std::size_t i) -> Packets_3 {
-    const Columns low = columns(i), high = columns(i + 2);
-    return {pcast<Packet_2, Packet_4>(low.packet[0], high.packet[0]),
-            pcast<Packet_2, Packet_4>(low.packet[1], high.packet[1]),
-            pcast<Packet_2, Packet_4>(heights(i), heights(i + 2))};
+    const Columns xy = columns(i, 0), yz = columns(i, 1);
+    const Columns high_xy = columns(i + 2, 0), high_yz = columns(i + 2, 1);
+    return {narrowed(xy.packet[0], high_xy.packet[0], x),
+            narrowed(xy.packet[1], high_xy.packet[1], y),
+            narrowed(yz.packet[1], high_yz.packet[1], z)};
   });
 }
 
