@@ -15,6 +15,9 @@ namespace CGAL {
 namespace Point_set_flow {
 namespace internal {
 
+/// One number for each of four lanes
+typedef Eigen::Array<float, 4, 1> Four;
+
 #ifdef CGAL_POINT_SET_FLOW_HAS_PACKETS
 #if defined(__GNUC__) // packets have attributes, which templates need not know
 #pragma GCC diagnostic push
@@ -114,6 +117,26 @@ BOOST_FORCEINLINE Lanes flipped(const Lanes& x, const Lanes& sign)
   return lanes(pxor(packet(x), pand(packet(sign), pset1<Lane_packet>(-0.f))));
 }
 
+/// The sums of each of four, not in double
+BOOST_FORCEINLINE Four sums(const Lanes& a, const Lanes& b, const Lanes& c, const Lanes& d)
+{
+  using namespace Eigen::internal;
+  const auto half = [](const Lanes& x) -> Packet_4 {
+#ifdef EIGEN_VECTORIZE_AVX
+    const Lane_packet p = packet(x);
+    return padd(_mm256_castps256_ps128(p), _mm256_extractf128_ps(p, 1));
+#else
+    return packet(x);
+#endif
+  };
+  PacketBlock<Packet_4, 4> block = {{half(a), half(b), half(c), half(d)}};
+  ptranspose(block);
+  Four result;
+  pstore(result.data(), padd(padd(block.packet[0], block.packet[1]),
+                             padd(block.packet[2], block.packet[3])));
+  return result;
+}
+
 #if defined(__GNUC__)
 #pragma GCC diagnostic pop
 #endif
@@ -151,6 +174,11 @@ inline Lanes flipped(const Lanes& x, const Lanes& sign)
   for (Eigen::Index l = 0; l < Eigen::Index(lane_width); ++l)
     result[l] = std::signbit(sign[l]) ? -x[l] : x[l];
   return result;
+}
+
+inline Four sums(const Lanes& a, const Lanes& b, const Lanes& c, const Lanes& d)
+{
+  return {a.sum(), b.sum(), c.sum(), d.sum()};
 }
 
 #endif

@@ -4,7 +4,7 @@
 
 #include <CGAL/license/Point_set_flow.h>
 
-#include <CGAL/Point_set_flow/internal/fitting/Lanes.h>
+#include <CGAL/Point_set_flow/internal/fitting/Lane_vectors.h>
 
 #include <algorithm>
 #include <array>
@@ -13,8 +13,6 @@
 namespace CGAL {
 namespace Point_set_flow {
 namespace internal {
-
-typedef Eigen::Array<float, 4, 1> Four;
 
 /// `Size` numbers, four at a time: the sizes of layers need not suit wider lanes.
 template <std::size_t Size>

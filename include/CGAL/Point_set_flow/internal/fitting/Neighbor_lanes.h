@@ -8,7 +8,6 @@
 #include <CGAL/Point_set_flow/internal/fitting/Lane_vectors.h>
 
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
 
 namespace CGAL {
@@ -61,8 +60,8 @@ public:
 /// The factor by which a width has narrowed at a time of the flow, 0 to 1.
 inline double annealing(double time, int power)
 {
-  const double left = 1. - .513 * time;
-  return power == 2 ? left * left : left * left * left;
+  const double left = 1. - .513 * time, squared = left * left;
+  return power == 2 ? squared : squared * squared * squared;
 }
 
 /// The weight of a neighbor by the angle between its normal and that of the point: in the first step
@@ -75,10 +74,10 @@ public:
   /// \param time 0 in the first step of the flow, 1 in the last
   Angle_weight(double noise, double time)
   {
-    // sines of half of the angles: up to 120 degrees at first, 10 in the end
-    const double first = (std::min)(.64 * std::sqrt(noise), .866), last = .0872;
-    const double sine = (std::max)(first * annealing(time, 3), last);
-    m_inverse = float(1. / (2. * sine * sine)); // 1 - cos
+    // squared sines of half of the angles: up to 120 degrees at first, 10 in the end
+    const double first = (std::min)(.4096 * noise, .75), last = .0076;
+    const double squared_sine = (std::max)(first * annealing(time, 6), last);
+    m_inverse = float(1. / (2. * squared_sine)); // 1 - cos
   }
 
   /// \param cosine the products of the two normals, whose orientation is arbitrary
