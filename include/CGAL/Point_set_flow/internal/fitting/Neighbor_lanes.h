@@ -75,7 +75,7 @@ public:
   Angle_weight(double noise, double time)
   {
     // squared sines of half of the angles: up to 120 degrees at first, 10 in the end
-    const double first = (std::min)(.4096 * noise, .75), last = .0076;
+    const double first = (std::min)(.64 * .64 * noise, .866 * .866), last = .0872 * .0872;
     const double squared_sine = (std::max)(first * annealing(time, 6), last);
     m_inverse = float(1. / (2. * squared_sine)); // 1 - cos
   }
