@@ -88,6 +88,8 @@ class Learned_network {
   typedef typename Input::Edge_lanes Edge_lanes;
   typedef std::array<Edge_lanes, gates> Gate_lanes;
   static constexpr float few = .001f; // against division by 0
+  /// hidden units that share reads and writes of the gates, if there are registers for them
+  static constexpr std::size_t at_once = lane_width == 8 ? 2 : 1;
 
 public:
   struct Output {
@@ -162,25 +164,42 @@ private:
     Layer<hidden> even(m_edge_bias), odd;
     even.template add_product<point_even>(m_point_even, x.of_point_even.data());
     odd.template add_product<point_odd>(m_point_odd, x.of_point_odd.data());
-    std::array<Four, hidden / 4> sums_p, sums_m;
-    for (std::size_t h = 0; h < hidden; ++h) {
-      const Lanes of_point_even = Lanes::Constant(even[h / 4][Eigen::Index(h % 4)]),
-                  of_point_odd = Lanes::Constant(odd[h / 4][Eigen::Index(h % 4)]);
-      const auto of_even = same_lanes<edge_even>(m_edge_even + h, hidden);
-      const auto of_odd = same_lanes<edge_odd>(m_edge_odd + h, hidden);
-      const auto of_gates = same_lanes<gates>(m_gate + h * gates, 1);
-      Lanes sum_p = Lanes::Zero(), sum_m = Lanes::Zero();
+    Layer<hidden> sums_p, sums_m;
+    for (std::size_t h = 0; h < hidden; h += at_once) {
+      const auto of_point_even = same_lanes<at_once>(even.data()->data() + h, 1),
+                 of_point_odd = same_lanes<at_once>(odd.data()->data() + h, 1);
+      std::array<std::array<Lanes, edge_even>, at_once> of_even;
+      std::array<std::array<Lanes, edge_odd>, at_once> of_odd;
+      std::array<std::array<Lanes, gates>, at_once> of_gates;
+      std::array<Lanes, at_once> sum_p, sum_m;
+      unroll<at_once>([&](std::size_t i) {
+        of_even[i] = same_lanes<edge_even>(m_edge_even + h + i, hidden);
+        of_odd[i] = same_lanes<edge_odd>(m_edge_odd + h + i, hidden);
+        of_gates[i] = same_lanes<gates>(m_gate + (h + i) * gates, 1);
+        sum_p[i] = sum_m[i] = Lanes::Zero();
+      });
       for (std::size_t g = 0; g < x.groups(); ++g) {
-        Lanes e = of_point_even, o = of_point_odd;
-        unroll<edge_even>([&](std::size_t f) { e += x.even[f][g] * of_even[f]; });
-        unroll<edge_odd>([&](std::size_t f) { o += x.odd[f][g] * of_odd[f]; });
-        const Lanes p = (e + o).max(0.f), m = (e - o).max(0.f), both = p + m;
-        sum_p += p;
-        sum_m += m;
-        unroll<gates>([&](std::size_t c) { in_gates[c][g] += both * of_gates[c]; });
+        std::array<Lanes, at_once> both;
+        unroll<at_once>([&](std::size_t i) {
+          Lanes e = of_point_even[i], o = of_point_odd[i];
+          unroll<edge_even>([&](std::size_t f) { e += x.even[f][g] * of_even[i][f]; });
+          unroll<edge_odd>([&](std::size_t f) { o += x.odd[f][g] * of_odd[i][f]; });
+          const Lanes p = (e + o).max(0.f), m = (e - o).max(0.f);
+          both[i] = p + m;
+          sum_p[i] += p;
+          sum_m[i] += m;
+        });
+        unroll<gates>([&](std::size_t c) {
+          Lanes in = in_gates[c][g];
+          unroll<at_once>([&](std::size_t i) { in += both[i] * of_gates[i][c]; });
+          in_gates[c][g] = in;
+        });
       }
-      sums_p[h / 4][Eigen::Index(h % 4)] = sum_p.sum();
-      sums_m[h / 4][Eigen::Index(h % 4)] = sum_m.sum();
+      unroll<at_once>([&](std::size_t i) {
+        const std::size_t k = h + i;
+        sums_p[k / 4][Eigen::Index(k % 4)] = sum_p[i].sum();
+        sums_m[k / 4][Eigen::Index(k % 4)] = sum_m[i].sum();
+      });
     }
     const float inverse = 1.f / float(x.size), pads = float(x.pads());
     for (std::size_t i = 0; i < even.size(); ++i) {
