@@ -142,7 +142,8 @@ private:
     Means means;
     Gate_lanes in_gates;
     for (std::size_t c = 0; c < gates; ++c)
-      in_gates[c].fill(Lanes::Constant(m_gate_bias[c]));
+      for (std::size_t g = 0; g < x.groups(); ++g)
+        in_gates[c][g].setConstant(m_gate_bias[c]);
     add_hidden(x, in_gates, means);
     for (std::size_t i = 0; i < point_even; ++i)
       means.even[hidden + i] = x.of_point_even[i];
@@ -176,7 +177,8 @@ private:
         of_even[i] = same_lanes<edge_even>(m_edge_even + h + i, hidden);
         of_odd[i] = same_lanes<edge_odd>(m_edge_odd + h + i, hidden);
         of_gates[i] = same_lanes<gates>(m_gate + (h + i) * gates, 1);
-        sum_p[i] = sum_m[i] = Lanes::Zero();
+        sum_p[i].setZero();
+        sum_m[i].setZero();
       });
       for (std::size_t g = 0; g < x.groups(); ++g) {
         std::array<Lanes, at_once> both;
@@ -190,9 +192,7 @@ private:
           sum_m[i] += m;
         });
         unroll<gates>([&](std::size_t c) {
-          Lanes in = in_gates[c][g];
-          unroll<at_once>([&](std::size_t i) { in += both[i] * of_gates[i][c]; });
-          in_gates[c][g] = in;
+          unroll<at_once>([&](std::size_t i) { in_gates[c][g] += both[i] * of_gates[i][c]; });
         });
       }
       unroll<at_once>([&](std::size_t i) {
@@ -217,9 +217,9 @@ private:
   {
     Lanes weights = Lanes::Zero();
     std::array<Lanes, edge_odd> weighted;
-    weighted.fill(Lanes::Zero());
+    unroll<edge_odd>([&](std::size_t f) { weighted[f].setZero(); });
     for (std::size_t g = 0; g < x.groups(); ++g) {
-      const Lanes gate = in_gate[g];
+      const Lanes& gate = in_gate[g];
       const Lanes weight = (gate + (gate * gate + 1.f).sqrt()) * x.mask[g];
       weights += weight;
       unroll<edge_odd>([&](std::size_t f) { weighted[f] += weight * x.odd[f][g]; });

@@ -41,16 +41,15 @@ protected:
   explicit Network_input(const Neighborhood_3& neighborhood)
       : size(int((std::min)(neighborhood.size(), std::size_t(most))))
   {
-    mask.fill(Lanes::Zero());
-    for (Edge_lanes& lanes : even)
-      lanes.fill(Lanes::Zero());
-    for (Edge_lanes& lanes : odd)
-      lanes.fill(Lanes::Zero());
-    const std::size_t width = lane_width;
-    for (std::size_t g = 0; g < groups(); ++g)
-      mask[g] = (float(size) - float(g * width) - Lanes::LinSpaced(0.f, float(width - 1)))
-                    .max(0.f)
-                    .min(1.f);
+    // not copied: compilers copy wide lanes by halves, which are slow to read together soon after
+    for (std::size_t g = 0; g < most / lane_width; ++g) {
+      const float left = float(size) - float(g * lane_width);
+      mask[g] = (left - Lanes::LinSpaced(0.f, float(lane_width - 1))).max(0.f).min(1.f);
+      for (Edge_lanes& lanes : even)
+        lanes[g].setZero();
+      for (Edge_lanes& lanes : odd)
+        lanes[g].setZero();
+    }
   }
 
   static float& at(Edge_lanes& lanes, std::size_t i)
