@@ -31,7 +31,7 @@ struct Correction_input : Network_input<2, 3, 2, 1> {
     Lanes squares = Lanes::Zero();
     for (const Lanes& residuals : odd[2])
       squares += residuals * residuals;
-    const double mean_square = sum(squares) / double(size);
+    const double mean_square = double(squares.sum()) / double(size);
     const double least = .001; // of the radius: on a clean surface all residuals are 0
     const double relative = (std::max)(std::sqrt(.97 * mean_square + .03 * own * own), least);
     unit = relative * radius;

@@ -89,20 +89,6 @@ BOOST_FORCEINLINE Lanes bell(const Lanes& x)
   return b * b;
 }
 
-/// The sum in double: those of many lanes lose no digits
-BOOST_FORCEINLINE double sum(const Lanes& x)
-{
-  double sums[lane_width / 4];
-  unroll<lane_width / 4>([&](std::size_t i) {
-    const Eigen::Index l = Eigen::Index(4 * i);
-    sums[i] = (double(x[l]) + double(x[l + 1])) + (double(x[l + 2]) + double(x[l + 3]));
-  });
-  double all = sums[0];
-  for (std::size_t i = 1; i < lane_width / 4; ++i)
-    all += sums[i];
-  return all;
-}
-
 } // namespace internal
 } // namespace Point_set_flow
 } // namespace CGAL

@@ -63,7 +63,8 @@ struct Plane_distances {
     weights += weight;
     distances += weight * d.distance;
   }
-  const double mean = sum(distances) / (sum(weights) - lanes.pads() + few);
+  const Four both = sums(weights, distances, weights, distances);
+  const double mean = double(both[1]) / (double(both[0]) - lanes.pads() + few);
   return (std::min)((std::max)(mean, -weigh.residual), weigh.residual) * neighborhood.radius();
 }
 
@@ -109,17 +110,15 @@ struct Distance_moments {
         power *= x;
       }
     }
-    double sums[5];
-    for (int i = 0; i < 5; ++i)
-      sums[i] = sum(in_lanes[i]);
-    sums[0] -= lanes.pads();
-    if (!(sums[0] > 0.))
+    const Eigen::Array4d first = sums(in_lanes[0], in_lanes[1], in_lanes[2], in_lanes[3]).cast<double>();
+    const double total = first[0] - lanes.pads();
+    if (!(total > 0.))
       return; // no neighbors
-    const double m1 = sums[1] / sums[0], m2 = sums[2] / sums[0], m3 = sums[3] / sums[0];
+    const double inverse = 1. / total, m1 = first[1] * inverse, m2 = first[2] * inverse,
+                 m3 = first[3] * inverse, m4 = double(in_lanes[4].sum()) * inverse;
     mean = -m1;
     second = (std::max)(m2 - m1 * m1, 0.);
-    fourth = (std::max)(
-        sums[4] / sums[0] - 4. * m1 * m3 + 6. * m1 * m1 * m2 - 3. * m1 * m1 * m1 * m1, 0.);
+    fourth = (std::max)(m4 - 4. * m1 * m3 + 6. * m1 * m1 * m2 - 3. * m1 * m1 * m1 * m1, 0.);
   }
 };
 
