@@ -80,8 +80,7 @@ inline Smallest_eigenpair_3 smallest_eigenpair(const Covariance_3& c)
   const double minors = xx * yy - xy * xy + xx * zz - xz * xz + yy * zz - yz * yz;
   const double det = xx * (yy * zz - yz * yz) - xy * (xy * zz - yz * xz) + xz * (xy * yz - yy * xz);
   const double inverse = 1. / minors, first = det * inverse, ratio = first * inverse;
-  double root =
-      first * (1. + ratio * (1. + ratio * (2. - minors + ratio * (5. - 5. * minors))));
+  double root = first * (1. + ratio * (1. + ratio * (2. - minors + ratio * (5. - 5. * minors))));
   for (int i = 0; i < 6; ++i) {
     const double value = ((root - 1.) * root + minors) * root - det;
     const double slope = (3. * root - 2.) * root + minors;

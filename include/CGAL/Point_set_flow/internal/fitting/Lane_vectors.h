@@ -35,13 +35,13 @@ struct Packets_3 {
 
 BOOST_FORCEINLINE Lane_packet packet(const Lanes& lanes)
 {
-  return Eigen::internal::pload<Lane_packet>(lanes.data());
+  return Eigen::internal::ploadu<Lane_packet>(lanes.data());
 }
 
 BOOST_FORCEINLINE Lanes lanes(const Lane_packet& packet)
 {
   Lanes result;
-  Eigen::internal::pstore(result.data(), packet);
+  Eigen::internal::pstoreu(result.data(), packet);
   return result;
 }
 
@@ -132,8 +132,8 @@ BOOST_FORCEINLINE Four sums(const Lanes& a, const Lanes& b, const Lanes& c, cons
   PacketBlock<Packet_4, 4> block = {{half(a), half(b), half(c), half(d)}};
   ptranspose(block);
   Four result;
-  pstore(result.data(), padd(padd(block.packet[0], block.packet[1]),
-                             padd(block.packet[2], block.packet[3])));
+  pstoreu(result.data(),
+          padd(padd(block.packet[0], block.packet[1]), padd(block.packet[2], block.packet[3])));
   return result;
 }
 

@@ -151,8 +151,7 @@ private:
       means.odd[hidden + gates * values + i] = x.of_point_odd[i];
     Four totals;
     for (std::size_t c = 0; c < gates; ++c)
-      totals[Eigen::Index(c)] =
-          weigh(x, in_gates[c], means.odd.data() + hidden + c * values);
+      totals[Eigen::Index(c)] = weigh(x, in_gates[c], means.odd.data() + hidden + c * values);
     const Four logarithms = (totals / float(x.size) + few).log();
     for (std::size_t c = 0; c < gates; ++c)
       means.even[hidden + point_even + c] = logarithms[Eigen::Index(c)];

@@ -84,7 +84,8 @@ struct Distance_moments {
   /// The moments are in spacings, to keep fourth powers in the range of `double`.
   /// \param mean of the \f$d_j\f$, in spacings: the height of the point above its neighbors
   /// \pre the normals of the neighborhood are known, and the spacing is positive
-  [[gnu::flatten]] Distance_moments(const Neighborhood_3& neighborhood, double& mean) : second(0.), fourth(0.)
+  [[gnu::flatten]] Distance_moments(const Neighborhood_3& neighborhood, double& mean)
+      : second(0.), fourth(0.)
   {
     mean = 0.;
     if (neighborhood.size() < 2)
@@ -110,7 +111,8 @@ struct Distance_moments {
         power *= x;
       }
     }
-    const Eigen::Array4d first = sums(in_lanes[0], in_lanes[1], in_lanes[2], in_lanes[3]).cast<double>();
+    const Eigen::Array4d first =
+        sums(in_lanes[0], in_lanes[1], in_lanes[2], in_lanes[3]).cast<double>();
     const double total = first[0] - lanes.pads();
     if (!(total > 0.))
       return; // no neighbors
