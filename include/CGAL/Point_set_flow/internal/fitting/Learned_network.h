@@ -89,7 +89,7 @@ class Learned_network {
   typedef std::array<Edge_lanes, gates> Gate_lanes;
   static constexpr float few = .001f; // against division by 0
   /// hidden units that share reads and writes of the gates, if there are registers for them
-  static constexpr std::size_t at_once = lane_width == 8 ? 2 : 1;
+  static constexpr std::size_t at_once = lane_width == 8 ? 2 : 1; // divides 4
 
 public:
   struct Output {
@@ -166,8 +166,8 @@ private:
     odd.template add_product<point_odd>(m_point_odd, x.of_point_odd.data());
     Layer<hidden> sums_p, sums_m;
     for (std::size_t h = 0; h < hidden; h += at_once) {
-      const auto of_point_even = same_lanes<at_once>(even.data()->data() + h, 1),
-                 of_point_odd = same_lanes<at_once>(odd.data()->data() + h, 1);
+      const auto of_point_even = same_lanes<at_once>(even[h / 4].data() + h % 4, 1),
+                 of_point_odd = same_lanes<at_once>(odd[h / 4].data() + h % 4, 1);
       std::array<std::array<Lanes, edge_even>, at_once> of_even;
       std::array<std::array<Lanes, edge_odd>, at_once> of_odd;
       std::array<std::array<Lanes, gates>, at_once> of_gates;
