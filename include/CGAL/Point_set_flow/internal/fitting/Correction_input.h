@@ -23,15 +23,15 @@ struct Correction_input : Network_input<2, 3, 2, 1> {
       : Network_input(neighborhood)
   {
     const double radius = neighborhood.radius();
-    for (int i = 0; i < size; ++i) {
-      const Edge edge = read_edge(neighborhood, i);
-      at(odd[2], i) = static_cast<float>(neighborhood.residual(edge.neighbor) * edge.side / radius);
-    }
+    const double inverse = 1. / radius;
+    for (std::size_t i = 0; i < std::size_t(size); ++i)
+      at(odd[2], i) = float(neighborhood.residual(spread(neighborhood, i)) * inverse);
+    read_edges(neighborhood);
     const double own = neighborhood.residual() / radius;
     Lanes squares = Lanes::Zero();
     for (const Lanes& residuals : odd[2])
       squares += residuals * residuals;
-    const double mean_square = sum(squares) / double(size);
+    const double mean_square = double(squares.sum()) / double(size);
     const double least = .001; // of the radius: on a clean surface all residuals are 0
     const double relative = (std::max)(std::sqrt(.97 * mean_square + .03 * own * own), least);
     unit = relative * radius;

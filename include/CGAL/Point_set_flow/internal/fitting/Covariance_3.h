@@ -66,8 +66,7 @@ inline Smallest_eigenpair_3 smallest_eigenpair_by_eigen(const Covariance_3& c)
   return {Vector_3(v.x(), v.y(), v.z()), (std::max)(solver.eigenvalues()[0], 0.)};
 }
 
-/// The smallest root of the characteristic polynomial by Newton's method, which rises to it from 0,
-/// and the vector that the other two eigenvectors leave. Where that does not come out well, because
+/// The smallest root of the characteristic polynomial by its power series and by Halley's method, and the vector that the other two eigenvectors leave. Where that does not come out well, because
 /// eigenvalues meet, by Eigen's solver.
 inline Smallest_eigenpair_3 smallest_eigenpair(const Covariance_3& c)
 {
@@ -80,13 +79,15 @@ inline Smallest_eigenpair_3 smallest_eigenpair(const Covariance_3& c)
 
   const double minors = xx * yy - xy * xy + xx * zz - xz * xz + yy * zz - yz * yz;
   const double det = xx * (yy * zz - yz * yz) - xy * (xy * zz - yz * xz) + xz * (xy * yz - yy * xz);
-  double root = 0.;
-  for (int i = 0; i < 8; ++i) {
+  const double inverse = 1. / minors, first = det * inverse, ratio = first * inverse;
+  double root = first * (1. + ratio * (1. + ratio * (2. - minors + ratio * (5. - 5. * minors))));
+  for (int i = 0; i < 6; ++i) {
     const double value = ((root - 1.) * root + minors) * root - det;
     const double slope = (3. * root - 2.) * root + minors;
-    const double step = value / slope;
+    const double half_curvature = 3. * root - 1.;
+    const double step = value * slope / (slope * slope - value * half_curvature);
     root -= step;
-    if (!(std::abs(step) > 1e-6)) // the digits double from step to step
+    if (!(std::abs(step) > 4e-4)) // the digits triple from step to step
       break;
   }
 
@@ -101,14 +102,13 @@ inline Smallest_eigenpair_3 smallest_eigenpair(const Covariance_3& c)
       length = v.squared_length();
     }
   }
-  vector = vector / std::sqrt(length);
   const Vector_3 image(xx * vector.x() + xy * vector.y() + xz * vector.z(),
                        xy * vector.x() + yy * vector.y() + yz * vector.z(),
                        xz * vector.x() + yz * vector.y() + zz * vector.z());
-  const double variation = image * vector; // the Rayleigh quotient: twice as many digits
-  if (!((image - variation * vector).squared_length() < 1e-20)) // or not a number
+  const double variation = image * vector / length; // the Rayleigh quotient: twice as many digits
+  if (!((image - variation * vector).squared_length() < 1e-16 * length)) // or not a number
     return smallest_eigenpair_by_eigen(c);
-  return {vector, (std::max)(variation, 0.)};
+  return {vector / std::sqrt(length), (std::max)(variation, 0.)};
 }
 
 } // namespace internal

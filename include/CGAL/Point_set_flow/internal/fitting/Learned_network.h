@@ -4,39 +4,26 @@
 
 #include <CGAL/license/Point_set_flow.h>
 
-#include <CGAL/Point_set_flow/internal/fitting/Lanes.h>
+#include <CGAL/Point_set_flow/internal/fitting/Lane_vectors.h>
 
+#include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstddef>
-#include <utility>
 
 namespace CGAL {
 namespace Point_set_flow {
 namespace internal {
 
-/// Calls `visit(0)` to `visit(Count - 1)`, in a row: compilers would keep lanes of a loop in memory.
-template <typename Visit, std::size_t... Index>
-void unroll(const Visit& visit, std::index_sequence<Index...>)
-{
-  (visit(Index), ...);
-}
-template <std::size_t Count, typename Visit>
-void unroll(const Visit& visit)
-{
-  unroll(visit, std::make_index_sequence<Count>());
-}
-
-/// `Size` numbers, four in each lane
+/// `Size` numbers, four at a time: the sizes of layers need not suit wider lanes.
 template <std::size_t Size>
-struct Lane_vector : std::array<Lanes, Size / 4> {
-  static_assert(Size % 4 == 0, "lanes are full");
+struct Layer : std::array<Four, Size / 4> {
+  static_assert(Size % 4 == 0, "all are full");
 
-  Lane_vector() { this->fill(Lanes::Zero()); }
-  explicit Lane_vector(const float* numbers)
+  Layer() { this->fill(Four::Zero()); }
+  explicit Layer(const float* numbers)
   {
     for (std::size_t i = 0; i < this->size(); ++i)
-      (*this)[i] = Eigen::Map<const Lanes>(numbers + 4 * i);
+      (*this)[i] = Eigen::Map<const Four>(numbers + 4 * i);
   }
   /// Adds the product of a matrix, which is stored column by column, and a vector.
   template <std::size_t Columns>
@@ -44,7 +31,7 @@ struct Lane_vector : std::array<Lanes, Size / 4> {
   {
     for (std::size_t c = 0; c < Columns; ++c)
       unroll<Size / 4>([&](std::size_t i) {
-        (*this)[i] += Eigen::Map<const Lanes>(matrix + c * Size + 4 * i) * vector[c];
+        (*this)[i] += Eigen::Map<const Four>(matrix + c * Size + 4 * i) * vector[c];
       });
   }
 };
@@ -100,6 +87,9 @@ class Learned_network {
 
   typedef typename Input::Edge_lanes Edge_lanes;
   typedef std::array<Edge_lanes, gates> Gate_lanes;
+  static constexpr float few = .001f; // against division by 0
+  /// hidden units that share reads and writes of the gates, if there are registers for them
+  static constexpr std::size_t at_once = lane_width == 8 ? 2 : 1; // divides 4
 
 public:
   struct Output {
@@ -120,31 +110,30 @@ public:
   {
     const Means means = over_edges(x);
     const float* const odd_means = means.odd.data() + hidden;
-    Lane_vector<head> e(m_head_bias), o, factors;
+    Layer<head> e(m_head_bias), o, factors;
     e.template add_product<head_even>(m_head_even, means.even.data());
     o.template add_product<head_odd>(m_head_odd, means.odd.data());
     factors.template add_product<odd_inputs>(m_factor, odd_means);
-    const Lane_vector<head> rest(m_rest), to_even(m_even);
-    Lanes odd = Lanes::Zero(), even = Lanes::Zero();
+    const Layer<head> rest(m_rest), to_even(m_even);
+    Four odd = Four::Zero(), even = Four::Zero();
     for (std::size_t i = 0; i < e.size(); ++i) {
-      const Lanes p = (e[i] + o[i]).max(0.f), m = (e[i] - o[i]).max(0.f);
+      const Four p = (e[i] + o[i]).max(0.f), m = (e[i] - o[i]).max(0.f);
       odd += factors[i] * (p + m) + rest[i] * (p - m);
       even += to_even[i] * (p + m);
     }
-    double biased = sum(odd);
+    float biased = odd.sum();
     for (std::size_t i = 0; i < odd_inputs; ++i)
-      biased += double(m_factor_bias[i] * odd_means[i]);
-    return {float(biased), float(sum(even)) + *m_even_bias};
+      biased += m_factor_bias[i] * odd_means[i];
+    return {biased, even.sum() + *m_even_bias};
   }
 
 private:
-  /// Some weights, each in all four lanes
+  /// Some weights, each in all lanes
   template <std::size_t Size>
   static std::array<Lanes, Size> same_lanes(const float* weights, std::size_t stride)
   {
     std::array<Lanes, Size> lanes;
-    for (std::size_t i = 0; i < Size; ++i)
-      lanes[i].setConstant(weights[i * stride]);
+    unroll<Size>([&](std::size_t i) { lanes[i].setConstant(weights[i * stride]); });
     return lanes;
   }
 
@@ -153,62 +142,92 @@ private:
     Means means;
     Gate_lanes in_gates;
     for (std::size_t c = 0; c < gates; ++c)
-      in_gates[c].fill(Lanes::Constant(m_gate_bias[c]));
+      for (std::size_t g = 0; g < x.groups(); ++g)
+        in_gates[c][g].setConstant(m_gate_bias[c]);
     add_hidden(x, in_gates, means);
     for (std::size_t i = 0; i < point_even; ++i)
       means.even[hidden + i] = x.of_point_even[i];
     for (std::size_t i = 0; i < point_odd; ++i)
       means.odd[hidden + gates * values + i] = x.of_point_odd[i];
+    Four totals;
     for (std::size_t c = 0; c < gates; ++c)
-      weigh(x, in_gates[c], means, c);
+      totals[Eigen::Index(c)] = weigh(x, in_gates[c], means.odd.data() + hidden + c * values);
+    const Four logarithms = (totals / float(x.size) + few).log();
+    for (std::size_t c = 0; c < gates; ++c)
+      means.even[hidden + point_even + c] = logarithms[Eigen::Index(c)];
     return means;
   }
 
   /// The first layer: its means over the neighbors, and what gets into the gates
   void add_hidden(const Input& x, Gate_lanes& in_gates, Means& means) const
   {
-    Lane_vector<hidden> even(m_edge_bias), odd;
+    Layer<hidden> even(m_edge_bias), odd;
     even.template add_product<point_even>(m_point_even, x.of_point_even.data());
     odd.template add_product<point_odd>(m_point_odd, x.of_point_odd.data());
-    const double inverse = 1. / double(x.size);
-    for (std::size_t h = 0; h < hidden; ++h) {
-      const Lanes of_point_even = Lanes::Constant(even[h / 4][Eigen::Index(h % 4)]),
-                  of_point_odd = Lanes::Constant(odd[h / 4][Eigen::Index(h % 4)]);
-      const auto of_even = same_lanes<edge_even>(m_edge_even + h, hidden);
-      const auto of_odd = same_lanes<edge_odd>(m_edge_odd + h, hidden);
-      const auto of_gates = same_lanes<gates>(m_gate + h * gates, 1);
-      Lanes sum_even = Lanes::Zero(), sum_odd = Lanes::Zero();
+    Layer<hidden> sums_p, sums_m;
+    for (std::size_t h = 0; h < hidden; h += at_once) {
+      const auto of_point_even = same_lanes<at_once>(even[h / 4].data() + h % 4, 1),
+                 of_point_odd = same_lanes<at_once>(odd[h / 4].data() + h % 4, 1);
+      std::array<std::array<Lanes, edge_even>, at_once> of_even;
+      std::array<std::array<Lanes, edge_odd>, at_once> of_odd;
+      std::array<std::array<Lanes, gates>, at_once> of_gates;
+      std::array<Lanes, at_once> sum_p, sum_m;
+      unroll<at_once>([&](std::size_t i) {
+        of_even[i] = same_lanes<edge_even>(m_edge_even + h + i, hidden);
+        of_odd[i] = same_lanes<edge_odd>(m_edge_odd + h + i, hidden);
+        of_gates[i] = same_lanes<gates>(m_gate + (h + i) * gates, 1);
+        sum_p[i].setZero();
+        sum_m[i].setZero();
+      });
       for (std::size_t g = 0; g < x.groups(); ++g) {
-        Lanes e = of_point_even, o = of_point_odd;
-        unroll<edge_even>([&](std::size_t f) { e += x.even[f][g] * of_even[f]; });
-        unroll<edge_odd>([&](std::size_t f) { o += x.odd[f][g] * of_odd[f]; });
-        const Lanes p = (e + o).max(0.f), m = (e - o).max(0.f), both = p + m;
-        sum_even += both * x.mask[g];
-        sum_odd += (p - m) * x.mask[g];
-        unroll<gates>([&](std::size_t c) { in_gates[c][g] += both * of_gates[c]; });
+        std::array<Lanes, at_once> both;
+        unroll<at_once>([&](std::size_t i) {
+          Lanes e = of_point_even[i], o = of_point_odd[i];
+          unroll<edge_even>([&](std::size_t f) { e += x.even[f][g] * of_even[i][f]; });
+          unroll<edge_odd>([&](std::size_t f) { o += x.odd[f][g] * of_odd[i][f]; });
+          const Lanes p = (e + o).max(0.f), m = (e - o).max(0.f);
+          both[i] = p + m;
+          sum_p[i] += p;
+          sum_m[i] += m;
+        });
+        unroll<gates>([&](std::size_t c) {
+          unroll<at_once>([&](std::size_t i) { in_gates[c][g] += both[i] * of_gates[i][c]; });
+        });
       }
-      means.even[h] = float(sum(sum_even) * inverse);
-      means.odd[h] = float(sum(sum_odd) * inverse);
+      unroll<at_once>([&](std::size_t i) {
+        const std::size_t k = h + i;
+        sums_p[k / 4][Eigen::Index(k % 4)] = sum_p[i].sum();
+        sums_m[k / 4][Eigen::Index(k % 4)] = sum_m[i].sum();
+      });
+    }
+    const float inverse = 1.f / float(x.size), pads = float(x.pads());
+    for (std::size_t i = 0; i < even.size(); ++i) {
+      // what misses was counted, too: its numbers are 0
+      const Four p = sums_p[i] - (even[i] + odd[i]).max(0.f) * pads,
+                 m = sums_m[i] - (even[i] - odd[i]).max(0.f) * pads;
+      Eigen::Map<Four>(means.even.data() + 4 * i) = (p + m) * inverse;
+      Eigen::Map<Four>(means.odd.data() + 4 * i) = (p - m) * inverse;
     }
   }
 
   /// Weighted means of the odd numbers, the distances along both normals among them
-  static void weigh(const Input& x, const Edge_lanes& in_gate, Means& means, std::size_t c)
+  /// \return the sum of the weights
+  static float weigh(const Input& x, const Edge_lanes& in_gate, float* means)
   {
     Lanes weights = Lanes::Zero();
-    std::array<Lanes, values> weighted;
-    weighted.fill(Lanes::Zero());
+    std::array<Lanes, edge_odd> weighted;
+    unroll<edge_odd>([&](std::size_t f) { weighted[f].setZero(); });
     for (std::size_t g = 0; g < x.groups(); ++g) {
-      const Lanes gate = in_gate[g];
-      const Lanes weight = (gate + (gate * gate + 1.f).sqrt()) * .5f * x.mask[g];
+      const Lanes& gate = in_gate[g];
+      const Lanes weight = (gate + (gate * gate + 1.f).sqrt()) * x.mask[g];
       weights += weight;
       unroll<edge_odd>([&](std::size_t f) { weighted[f] += weight * x.odd[f][g]; });
-      weighted[edge_odd] += weight * (x.odd[0][g] + x.odd[1][g]) * .5f;
     }
-    const double few = .001, total = sum(weights), inverse = 1. / (total + few);
-    means.even[hidden + point_even + c] = float(std::log(total / double(x.size) + few));
-    for (std::size_t f = 0; f < values; ++f)
-      means.odd[hidden + c * values + f] = float(sum(weighted[f]) * inverse);
+    const float total = .5f * weights.sum(), inverse = .5f / (total + few);
+    for (std::size_t f = 0; f < edge_odd; ++f)
+      means[f] = weighted[f].sum() * inverse;
+    means[edge_odd] = .5f * (means[0] + means[1]);
+    return total;
   }
 };
 

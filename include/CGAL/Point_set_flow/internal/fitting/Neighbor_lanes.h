@@ -5,24 +5,23 @@
 #include <CGAL/license/Point_set_flow.h>
 
 #include <CGAL/Point_set_flow/Neighborhood_3.h>
-#include <CGAL/Point_set_flow/internal/fitting/Lanes.h>
+#include <CGAL/Point_set_flow/internal/fitting/Lane_vectors.h>
 
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
 
 namespace CGAL {
 namespace Point_set_flow {
 namespace internal {
 
-/// The neighbors of a point, four at a time, with lengths in neighborhood radii. The last are filled up with the
+/// The neighbors of a point, as many at a time as there are lanes, with lengths in neighborhood radii. The last are filled up with the
 /// point itself, at a distance of 0 and with its own normal.
 class Neighbor_lanes {
   const Neighborhood_3& m_neighborhood;
   const double m_scale;
 
 public:
-  static constexpr std::size_t width = 4;
+  static constexpr std::size_t width = lane_width;
   const Lanes_3 normal; ///< of the point; null if it is not known
 
   explicit Neighbor_lanes(const Neighborhood_3& neighborhood)
@@ -39,9 +38,11 @@ public:
   BOOST_FORCEINLINE Lane_numbers numbers(std::size_t j) const
   {
     const Neighbor_numbers& all = m_neighborhood.numbers();
-    const std::size_t point = m_neighborhood.center_number(), left = all.size() - j;
-    return {{all[j], left > 1 ? all[j + 1] : point, left > 2 ? all[j + 2] : point,
-             left > 3 ? all[j + 3] : point}};
+    const std::size_t left = all.size() - j;
+    if (left >= width)
+      return lane_numbers([&](std::size_t l) -> std::size_t { return all[j + l]; });
+    const std::size_t point = m_neighborhood.center_number();
+    return lane_numbers([&](std::size_t l) { return l < left ? all[j + l] : point; });
   }
 
   /// from the point to others
@@ -59,8 +60,8 @@ public:
 /// The factor by which a width has narrowed at a time of the flow, 0 to 1.
 inline double annealing(double time, int power)
 {
-  const double left = 1. - .513 * time;
-  return power == 2 ? left * left : left * left * left;
+  const double left = 1. - .513 * time, squared = left * left;
+  return power == 2 ? squared : squared * squared * squared;
 }
 
 /// The weight of a neighbor by the angle between its normal and that of the point: in the first step
@@ -73,10 +74,10 @@ public:
   /// \param time 0 in the first step of the flow, 1 in the last
   Angle_weight(double noise, double time)
   {
-    // sines of half of the angles: up to 120 degrees at first, 10 in the end
-    const double first = (std::min)(.64 * std::sqrt(noise), .866), last = .0872;
-    const double sine = (std::max)(first * annealing(time, 3), last);
-    m_inverse = float(1. / (2. * sine * sine)); // 1 - cos
+    // squared sines of half of the angles: up to 120 degrees at first, 10 in the end
+    const double first = (std::min)(.64 * .64 * noise, .866 * .866), last = .0872 * .0872;
+    const double squared_sine = (std::max)(first * annealing(time, 6), last);
+    m_inverse = float(1. / (2. * squared_sine)); // 1 - cos
   }
 
   /// \param cosine the products of the two normals, whose orientation is arbitrary

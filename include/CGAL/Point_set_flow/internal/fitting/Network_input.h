@@ -5,7 +5,7 @@
 #include <CGAL/license/Point_set_flow.h>
 
 #include <CGAL/Point_set_flow/Neighborhood_3.h>
-#include <CGAL/Point_set_flow/internal/fitting/Lanes.h>
+#include <CGAL/Point_set_flow/internal/fitting/Neighbor_lanes.h>
 
 #include <algorithm>
 #include <array>
@@ -24,7 +24,7 @@ struct Network_input {
   static constexpr int most = 32; ///< neighbors, spread over the neighborhood
   static constexpr int edge_even = EdgeEven, edge_odd = EdgeOdd, point_even = PointEven,
                        point_odd = PointOdd;
-  typedef std::array<Lanes, most / 4> Edge_lanes; ///< one number for each neighbor
+  typedef std::array<Lanes, most / lane_width> Edge_lanes; ///< one number for each neighbor
 
   int size;                                ///< the number of neighbors
   Edge_lanes mask;                         ///< 1 for each neighbor, 0 for those that miss
@@ -33,45 +33,59 @@ struct Network_input {
   std::array<float, PointOdd> of_point_odd;
 
   /// The number of lanes that are used
-  std::size_t groups() const { return std::size_t(size + 3) / 4; }
+  std::size_t groups() const { return (std::size_t(size) + lane_width - 1) / lane_width; }
+  /// how many of the numbers in them miss
+  std::size_t pads() const { return groups() * lane_width - std::size_t(size); }
 
 protected:
-  /// Where a neighbor is, in neighborhood radii
-  struct Edge {
-    std::size_t neighbor;
-    double side; ///< 1, or -1 if the two normals point to opposite sides
-  };
-
   explicit Network_input(const Neighborhood_3& neighborhood)
       : size(int((std::min)(neighborhood.size(), std::size_t(most))))
   {
-    mask.fill(Lanes::Zero());
-    for (int i = 0; i < size; ++i)
-      at(mask, i) = 1.f;
-    for (Edge_lanes& lanes : even)
-      lanes.fill(Lanes::Zero());
-    for (Edge_lanes& lanes : odd)
-      lanes.fill(Lanes::Zero());
+    // not copied: compilers copy wide lanes by halves, which are slow to read together soon after
+    for (std::size_t g = 0; g < most / lane_width; ++g) {
+      const float left = float(size) - float(g * lane_width);
+      mask[g] = (left - Lanes::LinSpaced(0.f, float(lane_width - 1))).max(0.f).min(1.f);
+      for (Edge_lanes& lanes : even)
+        lanes[g].setZero();
+      for (Edge_lanes& lanes : odd)
+        lanes[g].setZero();
+    }
   }
 
-  static float& at(Edge_lanes& lanes, int i) { return lanes[std::size_t(i) / 4][i % 4]; }
-
-  /// Fills the first two even and odd lanes of a neighbor: its distance in the tangent plane and the angle of the
-  /// normals; its height above the tangent plane, and the height of its own plane.
-  Edge read_edge(const Neighborhood_3& neighborhood, int i)
+  static float& at(Edge_lanes& lanes, std::size_t i)
   {
-    const std::size_t j = std::size_t(i) * neighborhood.size() / std::size_t(size);
-    const Vector_3 d = (neighborhood[j] - neighborhood.center()) / neighborhood.radius();
-    const double cosine = neighborhood.normal(j) * neighborhood.normal();
-    const double side = cosine < 0. ? -1. : 1.;
-    const double height = d * neighborhood.normal(), other = d * neighborhood.normal(j) * side;
-    const double tangential = std::sqrt((std::max)(d * d - height * height, 0.));
-    const double angle = std::sqrt((std::max)(2. - 2. * std::abs(cosine), 0.)); // for small ones
-    at(even[0], i) = static_cast<float>(2. * tangential - 1.);
-    at(even[1], i) = static_cast<float>(1.5 * angle);
-    at(odd[0], i) = static_cast<float>(height);
-    at(odd[1], i) = static_cast<float>(other);
-    return {j, side};
+    return lanes[i / lane_width][Eigen::Index(i % lane_width)];
+  }
+
+  /// Which one of all neighbors is number `i` here
+  static std::size_t spread(const Neighborhood_3& neighborhood, std::size_t i)
+  {
+    const std::size_t n = neighborhood.size();
+    return n > most ? i * n / most : i;
+  }
+
+  /// Fills the first two even and odd lanes of each neighbor: its distance in the tangent plane and the angle of the
+  /// normals; its height above the tangent plane, and the height of its own plane, in neighborhood radii. The third odd
+  /// ones, which are there, are turned where the two normals point to opposite sides.
+  void read_edges(const Neighborhood_3& neighborhood)
+  {
+    const Neighbor_lanes lanes(neighborhood);
+    const Neighbor_numbers& all = neighborhood.numbers();
+    for (std::size_t g = 0; g < groups(); ++g) {
+      const std::size_t first = g * lane_width, left = std::size_t(size) - first;
+      const Lane_numbers numbers = lane_numbers([&](std::size_t l) {
+        return l < left ? all[spread(neighborhood, first + l)] : neighborhood.center_number();
+      });
+      const Lanes_3 d = lanes.differences(numbers), normals = lanes.normals(numbers);
+      const Lanes cosine = normals * lanes.normal, height = d * lanes.normal;
+      const Lanes tangential = (d.squared_length() - height * height).max(0.f).sqrt();
+      const Lanes angle = (2.f - 2.f * cosine.abs()).max(0.f).sqrt(); // for small ones
+      even[0][g] = (2.f * tangential - 1.f) * mask[g];
+      even[1][g] = 1.5f * angle * mask[g];
+      odd[0][g] = height;
+      odd[1][g] = flipped(d * normals, cosine);
+      odd[2][g] = flipped(odd[2][g], cosine);
+    }
   }
 
   /// Close to x, but between -4 and 4

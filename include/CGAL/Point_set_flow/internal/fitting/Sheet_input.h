@@ -21,22 +21,22 @@ struct Sheet_input : Network_input<3, 3, 4, 2> {
   [[gnu::flatten]] explicit Sheet_input(const Neighborhood_3& neighborhood)
       : Network_input(neighborhood)
   {
-    for (int i = 0; i < size; ++i) {
-      const Edge edge = read_edge(neighborhood, i);
-      const Sheet_evidence& found = neighborhood.sheets(edge.neighbor);
+    for (std::size_t i = 0; i < std::size_t(size); ++i) {
+      const Sheet_evidence& found = neighborhood.sheets(spread(neighborhood, i));
       at(even[2], i) = found.two_sheets;
-      at(odd[2], i) = found.side * static_cast<float>(edge.side);
+      at(odd[2], i) = found.side;
     }
+    read_edges(neighborhood);
     Lanes heights = Lanes::Zero(), squares = Lanes::Zero();
     for (const Lanes& height : odd[0])
       heights += height;
-    const float mean = static_cast<float>(sum(heights) / double(size));
+    const float mean = heights.sum() / float(size);
     for (std::size_t g = 0; g < groups(); ++g) {
       const Lanes difference = (odd[0][g] - mean) * mask[g];
       squares += difference * difference;
     }
     const float least = .001f; // in radii
-    const float unit = (std::max)(float(std::sqrt(sum(squares) / double(size))), least);
+    const float unit = (std::max)(std::sqrt(squares.sum() / float(size)), least);
     squash(odd[0], unit);
     squash(odd[1], unit);
     const Sheet_evidence& own = neighborhood.sheets();

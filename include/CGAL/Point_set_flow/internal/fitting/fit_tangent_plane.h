@@ -17,7 +17,7 @@ namespace CGAL {
 namespace Point_set_flow {
 namespace internal {
 
-/// Sums over neighbors, four at a time, of weights, weighted differences and their products
+/// Sums over neighbors, in lanes, of weights, weighted differences and their products
 struct Weighted_moments {
   Lanes sum = Lanes::Zero(), x = sum, y = sum, z = sum;
   Lanes xx = sum, xy = sum, xz = sum, yy = sum, yz = sum, zz = sum;
@@ -32,13 +32,19 @@ struct Weighted_moments {
   }
 
   /// Eq. (1), about the centroid
-  /// \param total the sum of all weights
-  Covariance_3 covariance(double total) const
+  /// \param missing the weight that is not among those added
+  /// \param total returns the sum of all weights
+  Covariance_3 covariance(double missing, double& total) const
   {
+    const Lanes none = Lanes::Zero();
+    const Eigen::Array4d first = sums(sum, x, y, z).cast<double>(),
+                         second = sums(xx, xy, xz, yy).cast<double>(),
+                         third = sums(yz, zz, none, none).cast<double>();
     Covariance_3 c;
-    c.xx = internal::sum(xx), c.xy = internal::sum(xy), c.xz = internal::sum(xz);
-    c.yy = internal::sum(yy), c.yz = internal::sum(yz), c.zz = internal::sum(zz);
-    c.add(Vector_3(internal::sum(x), internal::sum(y), internal::sum(z)) / total, -total);
+    c.xx = second[0], c.xy = second[1], c.xz = second[2], c.yy = second[3];
+    c.yz = third[0], c.zz = third[1];
+    total = first[0] + missing;
+    c.add(Vector_3(first[1], first[2], first[3]) / total, -total);
     return c;
   }
 };
@@ -69,8 +75,8 @@ template <bool has_normals>
       exponent = d.squared_length() * weigh.distance;
     moments.add(bell(exponent), d);
   }
-  const double total = sum(moments.sum) + 1. - lanes.pads(); // the point itself
-  Covariance_3 c = moments.covariance(total);
+  double total;
+  Covariance_3 c = moments.covariance(1. - lanes.pads(), total); // 1 for the point itself
   if constexpr (has_normals) {
     // The plane of the step before counts, too, though little: where hardly any neighbors are
     // left, their tiny weights would make the result depend on rounding.

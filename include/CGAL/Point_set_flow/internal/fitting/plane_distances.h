@@ -17,7 +17,7 @@ namespace CGAL {
 namespace Point_set_flow {
 namespace internal {
 
-/// The distances of a point \f$p_i\f$ from four of its neighbors \f$p_j\f$, taken along both normals:
+/// The distances of a point \f$p_i\f$ from some of its neighbors \f$p_j\f$, taken along both normals:
 /// \f$d_j = \frac12 [(p_i - p_j) \cdot n_i \pm (p_i - p_j) \cdot n_j]\f$ with the sign of
 /// \f$n_i \cdot n_j\f$. On a sphere the two terms differ in sign only. Lengths are in neighborhood radii.
 struct Plane_distances {
@@ -63,7 +63,8 @@ struct Plane_distances {
     weights += weight;
     distances += weight * d.distance;
   }
-  const double mean = sum(distances) / (sum(weights) - lanes.pads() + few);
+  const Four both = sums(weights, distances, weights, distances);
+  const double mean = double(both[1]) / (double(both[0]) - lanes.pads() + few);
   return (std::min)((std::max)(mean, -weigh.residual), weigh.residual) * neighborhood.radius();
 }
 
@@ -83,7 +84,8 @@ struct Distance_moments {
   /// The moments are in spacings, to keep fourth powers in the range of `double`.
   /// \param mean of the \f$d_j\f$, in spacings: the height of the point above its neighbors
   /// \pre the normals of the neighborhood are known, and the spacing is positive
-  [[gnu::flatten]] Distance_moments(const Neighborhood_3& neighborhood, double& mean) : second(0.), fourth(0.)
+  [[gnu::flatten]] Distance_moments(const Neighborhood_3& neighborhood, double& mean)
+      : second(0.), fourth(0.)
   {
     mean = 0.;
     if (neighborhood.size() < 2)
@@ -109,17 +111,16 @@ struct Distance_moments {
         power *= x;
       }
     }
-    double sums[5];
-    for (int i = 0; i < 5; ++i)
-      sums[i] = sum(in_lanes[i]);
-    sums[0] -= lanes.pads();
-    if (!(sums[0] > 0.))
+    const Eigen::Array4d first =
+        sums(in_lanes[0], in_lanes[1], in_lanes[2], in_lanes[3]).cast<double>();
+    const double total = first[0] - lanes.pads();
+    if (!(total > 0.))
       return; // no neighbors
-    const double m1 = sums[1] / sums[0], m2 = sums[2] / sums[0], m3 = sums[3] / sums[0];
+    const double inverse = 1. / total, m1 = first[1] * inverse, m2 = first[2] * inverse,
+                 m3 = first[3] * inverse, m4 = double(in_lanes[4].sum()) * inverse;
     mean = -m1;
     second = (std::max)(m2 - m1 * m1, 0.);
-    fourth = (std::max)(
-        sums[4] / sums[0] - 4. * m1 * m3 + 6. * m1 * m1 * m2 - 3. * m1 * m1 * m1 * m1, 0.);
+    fourth = (std::max)(m4 - 4. * m1 * m3 + 6. * m1 * m1 * m2 - 3. * m1 * m1 * m1 * m1, 0.);
   }
 };
 
