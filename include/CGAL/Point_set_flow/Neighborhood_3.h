@@ -108,6 +108,11 @@ public:
   {}
   /// \cond SKIP_IN_MANUAL
   Neighborhood_3(const Point_3* points, std::size_t center,
+                 const internal::Neighbor_numbers& neighbors, double radius, double filter_width)
+      : m_points(points), m_neighbors(neighbors), m_center(center), m_radius(radius),
+        m_filter_width(filter_width)
+  {}
+  Neighborhood_3(const Point_3* points, std::size_t center,
                  const internal::Neighbor_numbers& neighbors, double radius, double filter_width,
                  const Surface_estimate_3& surface)
       : m_points(points), m_neighbors(neighbors), m_center(center), m_radius(radius),
@@ -184,6 +189,8 @@ public:
   double time() const { return m_surface.time; }
 
   /// \cond SKIP_IN_MANUAL
+  /// what is known of the surface, to be filled in where it is: copies of so many members would be slow
+  Surface_estimate_3& surface_estimate() { return m_surface; }
   Vector_3 side() const { return m_surface.sides[m_center].vector(); }
   const Point_3* points() const { return m_points; }
   const Compact_tangent_plane_3* planes() const { return m_surface.planes; }

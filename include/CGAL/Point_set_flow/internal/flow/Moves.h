@@ -58,7 +58,7 @@ public:
   /// Takes the move of a point in the step at hand.
   void set(std::size_t i, const Vector_3& move)
   {
-    m_last[i] = Compact_tangent_plane_3(move / unit(i));
+    m_last[i] = Compact_tangent_plane_3(move * (1. / unit(i)));
     m_all[i] = Compact_vector_3(m_all[i].vector() + m_last[i].normal());
     if (!m_since_update.empty())
       m_since_update[i] = Compact_vector_3(m_since_update[i].vector() + m_last[i].normal());

@@ -32,10 +32,10 @@ void find_sheets(const Surface& surface, const Array<float>& deviations,
     loops.begin_stage(stage_costs::network);
     loops.for_each_chunk(surface.size(), [&](std::size_t begin, std::size_t end) {
       for (std::size_t i = begin; i < end; ++i) {
-        Surface_estimate_3 estimate = state.at(i);
+        Neighborhood_3 neighborhood = surface.neighborhood(i);
+        Surface_estimate_3& estimate = neighborhood.surface_estimate();
         estimate.deviation = double(deviations[i]) * estimate.spacing;
         estimate.excess = moments[i].moments().excess();
-        const Neighborhood_3 neighborhood = surface.neighborhood(i, estimate);
         const bool is_surface =
             neighborhood.size() >= 2 && neighborhood.radius() > 0. && neighborhood.noise() > 0.;
         found[i] = is_surface ? curvature.find_sheets(neighborhood, round) : state.sheets[i];

@@ -32,12 +32,12 @@ void correct(const Array<Point_3>& points, const Neighbor_graph& graph, Surface_
     loops.begin_stage(stage_costs::network, 2);
     loops.for_each_chunk(n, [&](std::size_t begin, std::size_t end) {
       for (std::size_t i = begin; i < end; ++i) {
-        Surface_estimate_3 estimate = state.at(i);
-        estimate.radii = graph.radii();
+        Neighborhood_3 neighborhood = surface.neighborhood(i);
+        neighborhood.surface_estimate().radii = graph.radii();
         movements[i] =
             is_fixed(i) || !(graph.radius(i) > 0.)
                 ? 0.f
-                : float(curvature.correction(surface.neighborhood(i, estimate), round) / graph.radius(i));
+                : float(curvature.correction(neighborhood, round) / graph.radius(i));
       }
     });
     loops.for_each_chunk(n, [&](std::size_t begin, std::size_t end) {

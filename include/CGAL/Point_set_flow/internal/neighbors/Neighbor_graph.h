@@ -82,11 +82,10 @@ public:
 
   /// \param points where the points are now
   /// \param filter_width the width of the Gaussian in multiples of the neighborhood radius
-  /// \param surface what else is known of the surface around point `i`
-  Neighborhood_3 neighborhood(const Array<Point_3>& points, std::size_t i, double filter_width,
-                              const Surface_estimate_3& surface = Surface_estimate_3()) const
+  Neighborhood_3 neighborhood(const Array<Point_3>& points, std::size_t i,
+                              double filter_width) const
   {
-    return Neighborhood_3(points.data(), i, neighbors(i), radius(i), filter_width, surface);
+    return Neighborhood_3(points.data(), i, neighbors(i), radius(i), filter_width);
   }
 
   /// Whether a point is far from all others: its neighborhood is several times as large as each of its

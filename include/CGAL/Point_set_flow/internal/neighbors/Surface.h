@@ -80,9 +80,9 @@ struct Surface_state {
 
   const Local_parameters& parameters(std::size_t i) const { return parts[part_of[i]]; }
 
-  Surface_estimate_3 at(std::size_t i) const
+  /// Tells what is known around a point.
+  void describe(std::size_t i, Surface_estimate_3& surface) const
   {
-    Surface_estimate_3 surface;
     surface.planes = planes.empty() ? nullptr : planes.data();
     surface.spacing = parameters(i).spacing;
     surface.noise = noise.empty() ? 0. : double(noise[i]) * surface.spacing;
@@ -90,7 +90,6 @@ struct Surface_state {
     surface.sides = sides.empty() ? nullptr : sides.data();
     surface.sheets = sheets.empty() ? nullptr : sheets.data();
     surface.residuals = residuals.empty() ? nullptr : residuals.data();
-    return surface;
   }
 };
 
@@ -108,10 +107,12 @@ struct Surface {
     const double spacing = state.parameters(i).spacing, radius = graph.radius(i);
     return radius * radius > double(graph.size(i)) * spacing * spacing && graph.is_isolated(i);
   }
-  Neighborhood_3 neighborhood(std::size_t i) const { return neighborhood(i, state.at(i)); }
-  Neighborhood_3 neighborhood(std::size_t i, const Surface_estimate_3& estimate) const
+  Neighborhood_3 neighborhood(std::size_t i) const
   {
-    return graph.neighborhood(points, i, narrowing * state.parameters(i).filter_width, estimate);
+    Neighborhood_3 neighborhood =
+        graph.neighborhood(points, i, narrowing * state.parameters(i).filter_width);
+    state.describe(i, neighborhood.surface_estimate());
+    return neighborhood;
   }
 };
 
