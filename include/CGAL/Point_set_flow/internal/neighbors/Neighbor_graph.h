@@ -11,6 +11,7 @@
 #include <CGAL/Point_set_flow/internal/parallel/Array.h>
 #include <CGAL/Point_set_flow/internal/parallel/Loops.h>
 
+#include <boost/config.hpp>
 #include <boost/iterator/counting_iterator.hpp>
 
 #include <algorithm>
@@ -57,7 +58,7 @@ public:
             },
             [&](std::size_t begin, std::size_t end, const auto& add) {
               Group_search find(tree, search);
-              find_neighbors(find, sites, begin, end, add);
+              find_neighbors(find, tree.points(), sites, begin, end, add);
             },
             loops)
   {}
@@ -155,6 +156,13 @@ private:
     m_chunks[begin / chunk_size] = Neighbor_chunk(chunk); // a copy takes no more than it needs
   }
 
+  /// Not inlined: a compiler that fuses multiplication and addition may do so in one place and not in another, and
+  /// radii must not depend on whether they were found by a search or by shrinking.
+  BOOST_NOINLINE static double distance(const Point_3& p, const Point_3& q)
+  {
+    return std::sqrt(squared_distance(p, q));
+  }
+
   bool is_enough(std::size_t i, const Search_options& search) const
   {
     return search.k_of(i) <= size(i) || size(i) + 1 == number_of_points();
@@ -180,7 +188,7 @@ private:
             i = next;
             while (next < end && !is_enough(next, search))
               ++next;
-            find_neighbors(find, Site(0), i, next, add);
+            find_neighbors(find, tree.points(), Site(0), i, next, add);
             i = next;
           }
         });
@@ -192,7 +200,7 @@ private:
     const Neighbor_numbers all = neighbors(i);
     return count == all.size() || count == 0
                ? radius(i)
-               : std::sqrt(squared_distance(points[i], points[all[count - 1]]));
+               : distance(points[i], points[all[count - 1]]);
   }
 
   void shrink(const Array<Point_3>& points, std::size_t i, std::size_t most)
@@ -203,16 +211,16 @@ private:
   }
 
   template <typename Iterator, typename Add>
-  static void find_neighbors(Group_search& find, Iterator sites, std::size_t begin, std::size_t end,
-                             const Add& add)
+  static void find_neighbors(Group_search& find, const Array<Point_3>& points, Iterator sites,
+                             std::size_t begin, std::size_t end, const Add& add)
   {
     std::size_t i = begin;
     find(sites + std::ptrdiff_t(begin), sites + std::ptrdiff_t(end),
          [&](const std::vector<Neighbor>& found) {
+           const std::size_t site = sites[std::ptrdiff_t(i)];
            add(
-               i, std::size_t(sites[std::ptrdiff_t(i)]), found.size(),
-               [&](std::size_t j) { return found[j].index; },
-               found.empty() ? 0. : std::sqrt(found.back().squared_distance));
+               i, site, found.size(), [&](std::size_t j) { return found[j].index; },
+               found.empty() ? 0. : distance(points[site], points[found.back().index]));
            ++i;
          });
   }
