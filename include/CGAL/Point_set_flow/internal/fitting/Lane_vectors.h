@@ -117,6 +117,18 @@ BOOST_FORCEINLINE Lanes flipped(const Lanes& x, const Lanes& sign)
   return lanes(pxor(packet(x), pand(packet(sign), pset1<Lane_packet>(-0.f))));
 }
 
+/// Square roots, correctly rounded. Those of Eigen begin with an approximation that is not the same on all processors.
+BOOST_FORCEINLINE Lanes roots(const Lanes& x)
+{
+#if defined(EIGEN_VECTORIZE_AVX)
+  return lanes(_mm256_sqrt_ps(packet(x)));
+#elif defined(EIGEN_VECTORIZE_SSE)
+  return lanes(_mm_sqrt_ps(packet(x)));
+#else
+  return x.sqrt();
+#endif
+}
+
 /// The sums of each of four, not in double
 BOOST_FORCEINLINE Four sums(const Lanes& a, const Lanes& b, const Lanes& c, const Lanes& d)
 {
@@ -167,6 +179,8 @@ Lanes_3 vectors(const Element* elements, const Lane_numbers& of)
   }
   return v;
 }
+
+inline Lanes roots(const Lanes& x) { return x.sqrt(); }
 
 inline Lanes flipped(const Lanes& x, const Lanes& sign)
 {

@@ -219,7 +219,7 @@ private:
     unroll<edge_odd>([&](std::size_t f) { weighted[f].setZero(); });
     for (std::size_t g = 0; g < x.groups(); ++g) {
       const Lanes& gate = in_gate[g];
-      const Lanes weight = (gate + (gate * gate + 1.f).sqrt()) * x.mask[g];
+      const Lanes weight = (gate + roots(gate * gate + 1.f)) * x.mask[g];
       weights += weight;
       unroll<edge_odd>([&](std::size_t f) { weighted[f] += weight * x.odd[f][g]; });
     }

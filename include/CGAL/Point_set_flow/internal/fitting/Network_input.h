@@ -78,8 +78,8 @@ protected:
       });
       const Lanes_3 d = lanes.differences(numbers), normals = lanes.normals(numbers);
       const Lanes cosine = normals * lanes.normal, height = d * lanes.normal;
-      const Lanes tangential = (d.squared_length() - height * height).max(0.f).sqrt();
-      const Lanes angle = (2.f - 2.f * cosine.abs()).max(0.f).sqrt(); // for small ones
+      const Lanes tangential = roots((d.squared_length() - height * height).max(0.f));
+      const Lanes angle = roots((2.f - 2.f * cosine.abs()).max(0.f)); // for small ones
       even[0][g] = (2.f * tangential - 1.f) * mask[g];
       even[1][g] = 1.5f * angle * mask[g];
       odd[0][g] = height;
@@ -96,7 +96,7 @@ protected:
     const float factor = 1.f / unit;
     for (Lanes& lanes : numbers) {
       const Lanes x = lanes * factor;
-      lanes = x / (1.f + x * x * (1.f / 16.f)).sqrt();
+      lanes = x / roots(1.f + x * x * (1.f / 16.f));
     }
   }
 
