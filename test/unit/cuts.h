@@ -109,7 +109,8 @@ BOOST_AUTO_TEST_CASE(sides_are_accurate_to_half_a_degree)
     const Side_3 side(1e-3 * v), opposite(-v);
     BOOST_REQUIRE(side.is_known());
     BOOST_REQUIRE(opposite.vector() == -Side_3(v).vector());
-    const double cosine = side.vector() * v / std::sqrt(side.vector().squared_length() * v.squared_length());
+    const double cosine =
+        side.vector() * v / std::sqrt(side.vector().squared_length() * v.squared_length());
     BOOST_REQUIRE(cosine > std::cos(.5 * CGAL_PI / 180.));
   }
 }

@@ -144,7 +144,8 @@ BOOST_AUTO_TEST_CASE(a_graph_adapts_to_other_numbers_of_neighbors)
   Loops loops(nullptr, 1.);
   const internal::Neighbor_tree tree(points, loops);
   const internal::Array<std::uint32_t> part_of = three_parts(points.size(), 5);
-  for (const std::uint32_t most : {50u, 20u}) { // for which a search is needed, and for which none is
+  for (const std::uint32_t most :
+       {50u, 20u}) { // for which a search is needed, and for which none is
     const internal::Search_options search = {0, 0., {7, 20, most}, &part_of};
     const internal::Neighbor_graph expected(tree, search, loops);
     internal::Neighbor_graph graph(tree, {20}, loops);

@@ -134,8 +134,8 @@ BOOST_AUTO_TEST_CASE(thin_parts_are_distinguished_from_noise)
                                   loops);
     };
     const internal::Array<std::uint32_t> sizes = fit(false).sizes;
-    const double noise =
-        std::accumulate(state.noise.begin(), state.noise.end(), 0.) / double(points.size()) * spacing;
+    const double noise = std::accumulate(state.noise.begin(), state.noise.end(), 0.) /
+                         double(points.size()) * spacing;
     const double size = std::accumulate(sizes.begin(), sizes.end(), 0.) / double(points.size());
     BOOST_TEST_CONTEXT(thin)
     {

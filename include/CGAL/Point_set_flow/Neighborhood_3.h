@@ -21,7 +21,8 @@ namespace Point_set_flow {
 /// Whether the neighbors of a point are those of two sheets of the surface, and on which one the point is.
 struct Sheet_evidence {
   float two_sheets = 0.f; ///< the logarithm of the odds that there are two
-  float side = 0.f; ///< the logarithm of the odds that the point is on the side to which its normal points
+  float side =
+      0.f; ///< the logarithm of the odds that the point is on the side to which its normal points
 };
 
 /// \ingroup PkgPointSetFlowCurvature
@@ -37,7 +38,8 @@ struct Surface_estimate_3 {
   /// for each point, how far it was above the place where it is now before the flow, along its normal, in its
   /// neighborhood radius; or null
   const float* residuals = nullptr;
-  const double* radii = nullptr; ///< for each point, the neighborhood radius, if the residuals are known
+  const double* radii =
+      nullptr; ///< for each point, the neighborhood radius, if the residuals are known
   const Sheet_evidence* sheets = nullptr; ///< for each point, or null
   /// the standard deviation of the distances from the tangent planes around the point, if there is evidence of sheets
   double deviation = 0.;

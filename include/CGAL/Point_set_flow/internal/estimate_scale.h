@@ -32,8 +32,7 @@ Point_set_scale estimate_scale(const PointRange& points, const NamedParameters& 
     Point_set_scale scale;
     scale.noise = noise * frame.unit;
     scale.spacing = spacing * frame.unit;
-    scale.k =
-        Default_curvature::defaults().neighborhood_size(spacing > 0. ? noise / spacing : 0.);
+    scale.k = Default_curvature::defaults().neighborhood_size(spacing > 0. ? noise / spacing : 0.);
     return scale;
   });
 }

@@ -69,7 +69,8 @@ private:
   {
     const Vector_3 d = result.moves[site].vector(); // in neighborhood radii
     const double squared = d.squared_length(), most = result.radii[site] > 0. ? 1. : 0.;
-    return result.unit(site) * (m_is_limited && squared > most ? d * (most / std::sqrt(squared)) : d);
+    return result.unit(site) *
+           (m_is_limited && squared > most ? d * (most / std::sqrt(squared)) : d);
   }
 
   static bool is_same(const Kernel_point_3& p, const Kernel_point_3& q)

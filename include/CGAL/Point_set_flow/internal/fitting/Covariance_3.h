@@ -66,8 +66,9 @@ inline Smallest_eigenpair_3 smallest_eigenpair_by_eigen(const Covariance_3& c)
   return {Vector_3(v.x(), v.y(), v.z()), (std::max)(solver.eigenvalues()[0], 0.)};
 }
 
-/// The smallest root of the characteristic polynomial by its power series and by Halley's method, and the vector that the other two eigenvectors leave. Where that does not come out well, because
-/// eigenvalues meet, by Eigen's solver.
+/// The smallest root of the characteristic polynomial by its power series and by Halley's method, and the vector
+/// that the other two eigenvectors leave. Where that does not come out well, because eigenvalues meet, by Eigen's
+/// solver.
 inline Smallest_eigenpair_3 smallest_eigenpair(const Covariance_3& c)
 {
   const double trace = c.trace();

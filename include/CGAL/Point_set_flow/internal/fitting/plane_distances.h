@@ -124,22 +124,23 @@ struct Distance_moments {
   }
 };
 
-/// Moments in single precision, to save memory: their roots, since the range of `float` is small
+/// Moments in single precision, to save memory: the fourth one relative to the second one, since the range of `float`
+/// is small
 class Compact_moments {
-  float m_deviation = 0.f, m_fourth_root = 0.f;
+  float m_second = 0.f, m_fourth_to_second = 0.f;
 
 public:
   Compact_moments() = default;
   explicit Compact_moments(const Distance_moments& m)
-      : m_deviation(float(std::sqrt(m.second))),
-        m_fourth_root(float(std::sqrt(std::sqrt(m.fourth))))
+      : m_second(float(m.second)),
+        m_fourth_to_second(m.second > 0. ? float(m.fourth / m.second) : 0.f)
   {}
-  float deviation() const { return m_deviation; }
   Distance_moments moments() const
   {
-    const double deviation = double(m_deviation), root = double(m_fourth_root);
-    return {deviation * deviation, root * root * root * root};
+    const double second = double(m_second);
+    return {second, second * double(m_fourth_to_second)};
   }
+  double deviation() const { return std::sqrt(double(m_second)); }
 };
 
 } // namespace internal

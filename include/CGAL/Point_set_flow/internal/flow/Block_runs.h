@@ -38,14 +38,17 @@ struct Flow_result {
   /// The length of 1 of the moves of a point
   double unit(std::size_t i) const { return unit_of_moves(radii[i]); }
 
+  /// \param n the number of points in all blocks
   template <typename T>
-  static void append(Array<T>& to, Array<T>&& of_block, const Block& block)
+  static void append(Array<T>& to, Array<T>&& of_block, const Block& block, std::size_t n)
   {
-    if (block.interior.empty())
+    if (block.interior.empty()) {
       to = std::move(of_block);
-    else
-      for (const std::uint32_t i : block.interior)
-        to.push_back(of_block[i]);
+      return;
+    }
+    to.reserve(n); // to grow would take twice the memory
+    for (const std::uint32_t i : block.interior)
+      to.push_back(of_block[i]);
   }
 };
 
@@ -84,6 +87,7 @@ class Block_runs {
   Loops<ConcurrencyTag>& m_loops;
   std::vector<double> m_moved; // see `Flow_run::moved()`
   Flow_result m_result;
+  std::size_t m_number_of_points = 0; // of the result
 
 public:
   Block_runs(const Flow_plan& plan, const Flow& flow, const Curvature& curvature,
@@ -94,8 +98,8 @@ public:
   /// Leaves of the points only where each input point went.
   Flow_result operator()(Analyzed_points& points, std::size_t block_size)
   {
-    const std::size_t n = points.buffer().size();
-    if (n <= block_size) {
+    m_number_of_points = points.buffer().size();
+    if (m_number_of_points <= block_size) {
       adapt_graph(points);
       Block all = take_all(points.buffer(), points.part_of(), std::move(points.graph()));
       points.forget_points();
@@ -105,7 +109,7 @@ public:
       run_in_turn(points, (block_size + chunk_size - 1) / chunk_size * chunk_size);
       points.forget_points();
     }
-    return take_result(n);
+    return take_result();
   }
 
   /// Runs the flow on one block of points of which some may be missing.
@@ -123,9 +127,10 @@ public:
     if (!cut)
       return std::nullopt;
     Block block = take_some(points.buffer(), points.part_of(), std::move(*cut));
+    m_number_of_points = interior.size();
     points.forget_points();
     run(block);
-    return take_result(interior.size());
+    return take_result();
   }
 
 private:
@@ -140,11 +145,12 @@ private:
       points.graph() = Neighbor_graph(points.tree(), m_plan.search, m_loops);
   }
 
-  Flow_result take_result(std::size_t n)
+  Flow_result take_result()
   {
     m_loops.set_share(1.);
     m_result.is_limited = m_wanted.limited_moves;
-    m_result.moved = std::accumulate(m_moved.begin(), m_moved.end(), 0.) / double(n);
+    m_result.moved =
+        std::accumulate(m_moved.begin(), m_moved.end(), 0.) / double(m_number_of_points);
     return std::move(m_result);
   }
 
@@ -157,9 +163,9 @@ private:
       std::iota(interior.begin(), interior.end(), static_cast<std::uint32_t>(begin));
       m_loops.set_share(double(interior.size()) / double(n));
       m_loops.begin_stage(stage_costs::graph);
-      Block block = take_some(points.buffer(), points.part_of(),
-                              cut_graph(points.tree(), m_plan.search, interior,
-                                        m_plan.number_of_rings(), m_loops));
+      Block block = take_some(
+          points.buffer(), points.part_of(),
+          cut_graph(points.tree(), m_plan.search, interior, m_plan.number_of_rings(), m_loops));
       run(block);
     }
   }
@@ -168,16 +174,19 @@ private:
   {
     Flow_run<ConcurrencyTag, Flow, Curvature> flow(m_plan, block, m_flow, m_curvature, m_loops);
     flow();
-    m_result.rest_reasons.reserve(m_plan.number_of_distinct_points); // not earlier, to save memory
+    m_result.rest_reasons.reserve(m_number_of_points); // not earlier, to save memory
     m_moved.insert(m_moved.end(), flow.moved().begin(), flow.moved().end());
     for (std::size_t i = 0; i < block.interior_size(); ++i)
       m_result.rest_reasons.push_back(flow.rest_reason(block.interior_place(i)));
+    const auto append = [&](auto& to, auto&& of_block) {
+      Flow_result::append(to, std::move(of_block), block, m_number_of_points);
+    };
     if (m_wanted.normals)
-      Flow_result::append(m_result.normals, flow.find_normals(), block);
+      append(m_result.normals, flow.find_normals());
     if (m_wanted.feature_strength)
-      Flow_result::append(m_result.feature_strength, flow.find_feature_strength(), block);
-    Flow_result::append(m_result.moves, flow.take_moves(), block);
-    Flow_result::append(m_result.radii, block.graph.take_radii(), block);
+      append(m_result.feature_strength, flow.find_feature_strength());
+    append(m_result.moves, flow.take_moves());
+    append(m_result.radii, block.graph.take_radii());
   }
 };
 

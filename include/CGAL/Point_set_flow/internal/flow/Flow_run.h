@@ -184,7 +184,8 @@ private:
   void find_planes()
   {
     m_loops.begin_stage(stage_costs::planes);
-    m_spare = m_state.planes; // all at once
+    if (!m_resting.empty())
+      m_spare = m_state.planes;
     m_spare.resize(m_block.points.size());
     find_tangent_planes(
         surface(m_block.points), m_curvature,
@@ -201,8 +202,7 @@ private:
   /// Whether a point is where it was measured, and has no noise: it stays in all steps.
   bool is_at_rest(std::size_t i) const
   {
-    return m_plan.may_rest && !(m_state.noise[i] > 0.f) &&
-           m_moves.from_reference(i) == NULL_VECTOR;
+    return m_plan.may_rest && !(m_state.noise[i] > 0.f) && m_moves.from_reference(i) == NULL_VECTOR;
   }
 
   bool is_isolated(std::size_t i) const { return surface(m_block.points).is_isolated(i); }

@@ -39,6 +39,9 @@ public:
     }
   }
 
+  /// Whether no point rests
+  bool empty() const { return m_needs_plane.empty(); }
+
   /// Whether a point moves, or another one looks at its tangent plane
   bool needs_plane(std::size_t i) const { return m_needs_plane.empty() || m_needs_plane[i]; }
 };

@@ -60,7 +60,7 @@ void adapt_neighborhoods(Block& block, Surface_state& state, const Flow_plan& pl
   if constexpr (finds_sheets) {
     deviations.reserve(moments.size());
     for (const Compact_moments& m : moments)
-      deviations.push_back(m.deviation());
+      deviations.push_back(float(m.deviation()));
   }
   pool(block.graph, moments, loops);
   if constexpr (finds_sheets)
@@ -73,7 +73,8 @@ void adapt_neighborhoods(Block& block, Surface_state& state, const Flow_plan& pl
   if (!plan.is_k_given) {
     loops.begin_stage(stage_costs::shrink);
     // by the distances at which they were searched
-    block.graph.shrink(block.reference.empty() ? block.points : block.reference, sheets.sizes, loops);
+    block.graph.shrink(block.reference.empty() ? block.points : block.reference, sheets.sizes,
+                       loops);
   }
 }
 

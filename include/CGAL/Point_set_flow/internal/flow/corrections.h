@@ -34,10 +34,9 @@ void correct(const Array<Point_3>& points, const Neighbor_graph& graph, Surface_
       for (std::size_t i = begin; i < end; ++i) {
         Neighborhood_3 neighborhood = surface.neighborhood(i);
         neighborhood.surface_estimate().radii = graph.radii();
-        movements[i] =
-            is_fixed(i) || !(graph.radius(i) > 0.)
-                ? 0.f
-                : float(curvature.correction(neighborhood, round) / graph.radius(i));
+        movements[i] = is_fixed(i) || !(graph.radius(i) > 0.)
+                           ? 0.f
+                           : float(curvature.correction(neighborhood, round) / graph.radius(i));
       }
     });
     loops.for_each_chunk(n, [&](std::size_t begin, std::size_t end) {

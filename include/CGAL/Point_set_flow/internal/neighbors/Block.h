@@ -52,8 +52,9 @@ inline Block take_all(Point_buffer& buffer, Array<std::uint32_t>& part_of, Neigh
 inline Block take_some(const Point_buffer& buffer, const Array<std::uint32_t>& part_of,
                        Cut_graph&& cut)
 {
-  Block block = {{}, {}, {}, std::move(cut.graph), std::move(cut.interior),
-                 buffer.noise.of(cut.sites), {}, {}};
+  Block block = {
+      {}, {}, {}, std::move(cut.graph), std::move(cut.interior), buffer.noise.of(cut.sites),
+      {}, {}};
   const auto copy = [&](const auto& from, auto& to) {
     if (from.empty())
       return;

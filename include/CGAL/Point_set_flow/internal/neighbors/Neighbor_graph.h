@@ -42,9 +42,8 @@ public:
                  Loops<ConcurrencyTag>& loops)
       : m_chunks((n + chunk_size - 1) / chunk_size), m_radii(n, 0.)
   {
-    loops.for_each_chunk(n, [&](std::size_t begin, std::size_t end) {
-      fill(begin, end, most, fill_chunk);
-    });
+    loops.for_each_chunk(
+        n, [&](std::size_t begin, std::size_t end) { fill(begin, end, most, fill_chunk); });
   }
 
   /// \param sites, n points of the tree, which follow each other in space
@@ -145,14 +144,14 @@ private:
       neighbors += most(i);
     Neighbor_chunk chunk;
     chunk.reserve(end - begin, neighbors);
-    fill_chunk(begin, end,
-               [&](std::size_t i, std::size_t site, std::size_t size, const auto& number,
-                   double radius) {
-                 chunk.add(i - begin, site, size, number);
-                 m_radii[i] = radius;
-               });
+    fill_chunk(
+        begin, end,
+        [&](std::size_t i, std::size_t site, std::size_t size, const auto& number, double radius) {
+          chunk.add(i - begin, site, size, number);
+          m_radii[i] = radius;
+        });
     chunk.skip(end - begin);
-    m_chunks[begin / chunk_size] = Neighbor_chunk(); // memory
+    m_chunks[begin / chunk_size] = Neighbor_chunk();      // memory
     m_chunks[begin / chunk_size] = Neighbor_chunk(chunk); // a copy takes no more than it needs
   }
 
@@ -173,7 +172,8 @@ private:
                     std::size_t end)
   {
     fill(
-        begin, end, [&](std::size_t i) { return (std::min)(search.k_of(i), number_of_points() - 1); },
+        begin, end,
+        [&](std::size_t i) { return (std::min)(search.k_of(i), number_of_points() - 1); },
         [&](std::size_t, std::size_t, const auto& add) {
           Group_search find(tree, search);
           for (std::size_t i = begin; i < end;) {
@@ -198,9 +198,8 @@ private:
   double radius(const Array<Point_3>& points, std::size_t i, std::size_t count) const
   {
     const Neighbor_numbers all = neighbors(i);
-    return count == all.size() || count == 0
-               ? radius(i)
-               : distance(points[i], points[all[count - 1]]);
+    return count == all.size() || count == 0 ? radius(i)
+                                             : distance(points[i], points[all[count - 1]]);
   }
 
   void shrink(const Array<Point_3>& points, std::size_t i, std::size_t most)

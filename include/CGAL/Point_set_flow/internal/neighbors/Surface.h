@@ -53,11 +53,11 @@ inline float in_spacings(double length, double spacing)
 /// What is known of a surface besides its points, at one time of the flow.
 struct Surface_state {
   Array<Compact_tangent_plane_3> planes; ///< empty before the first ones
-  Array<float> noise;           ///< around each point, in spacings; empty if not needed
-  Array<std::uint32_t> part_of; ///< for each point, the part that it belongs to
+  Array<float> noise;                    ///< around each point, in spacings; empty if not needed
+  Array<std::uint32_t> part_of;          ///< for each point, the part that it belongs to
   const std::vector<Local_parameters>& parts;
-  double time = 0.;      ///< 0 in the first step, 1 in the last
-  Array<Side_3> sides;   ///< given or found; empty if none is known
+  double time = 0.;                  ///< 0 in the first step, 1 in the last
+  Array<Side_3> sides;               ///< given or found; empty if none is known
   Array<Sheet_evidence> sheets = {}; ///< empty if not needed
   /// what the flow took off, along the normals, in neighborhood radii; empty if not needed
   Array<float> residuals = {};

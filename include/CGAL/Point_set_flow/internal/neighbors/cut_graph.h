@@ -23,7 +23,8 @@ namespace internal {
 /// neighbors only in each of as many stages as there are rings, the results in the interior are bitwise identical to
 /// those that all points together would give.
 struct Cut_graph {
-  std::vector<std::uint32_t> sites; ///< of all points, ascending: ties are broken and sums are taken as among all
+  std::vector<std::uint32_t>
+      sites; ///< of all points, ascending: ties are broken and sums are taken as among all
   std::vector<std::uint32_t> interior; ///< the places of the interior among them
   Neighbor_graph graph;                ///< of the points in their places; none for the last ring
 };

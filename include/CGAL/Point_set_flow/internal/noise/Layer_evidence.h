@@ -104,7 +104,8 @@ public:
     if (m_layers.empty())
       return noise;
     const double variance = noise * noise;
-    return std::sqrt((std::max)(variance, variance * (1. - double(m_layers[i].of_scans)) + m_variances[i]));
+    return std::sqrt(
+        (std::max)(variance, variance * (1. - double(m_layers[i].of_scans)) + m_variances[i]));
   }
 
 private:

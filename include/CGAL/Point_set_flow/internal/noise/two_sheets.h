@@ -157,7 +157,7 @@ constexpr int sheet_loops = 5;
 /// \param sides receives on which side of its neighbors each point is, see `Sheets::sides`
 template <typename ConcurrencyTag>
 Array<Compact_moments> find_moments(const Surface& surface, Array<signed char>& sides,
-                                     Loops<ConcurrencyTag>& loops)
+                                    Loops<ConcurrencyTag>& loops)
 {
   const std::size_t n = surface.size();
   Array<Compact_moments> moments(n);
