@@ -2,7 +2,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # Compiles the headers with all compilers, releases of CGAL and options that they are made for, with all
 # warnings as errors, links and runs the program of test/packaging/consumer, and prints a table:
-# matrix.sh [WORK_DIR [properties]], where the last word also runs test_random_clouds in each row.
+# matrix.sh [WORK_DIR [properties]], where the last word also runs test_random_clouds in each row, with the lanes and the
+# fused arithmetic of this machine.
 # Other releases of CGAL come from Debian's suites trixie and sid, from the mirror of this machine;
 # they are unpacked below WORK_DIR and not installed. Takes a quarter of an hour, with
 # test_random_clouds half an hour.
@@ -61,9 +62,9 @@ runs() { # name, command ...: whether what the command makes runs
 for suite in trixie sid; do sh test/unpack_packages.sh "$work/$suite" $suite libcgal-dev; done
 rm -f "$work/failed"
 
-printf '| compiler | CGAL | Debug, TBB, run | Release, TBB | Debug | Release | -ffast-math is refused | no Eigen is refused |'
+printf '| compiler | CGAL | Debug, TBB, run | Release, TBB | Debug | Release | -march=native | -ffast-math is refused | no Eigen is refused |'
 [ -z "$properties" ] || printf ' test_random_clouds |'
-printf '\n|---|---|---|---|---|---|---|---|'
+printf '\n|---|---|---|---|---|---|---|---|---|'
 [ -z "$properties" ] || printf -- '---|'
 echo
 tbb=-DCGAL_LINKED_WITH_TBB
@@ -78,10 +79,11 @@ for suite in sid trixie installed; do
       result "$name-release" $compiler -fsyntax-only $tbb -DNDEBUG -O2 "$@"
       result "$name-without" $compiler -fsyntax-only "$@"
       result "$name-release-without" $compiler -fsyntax-only -DNDEBUG -O2 "$@"
+      result "$name-native" $compiler -fsyntax-only -DNDEBUG -O2 -march=native "$@"
       result "$name-fast" refuses "must not be compiled with -ffast-math" $compiler -fsyntax-only -ffast-math "$@"
       result "$name-eigen" refuses "needs Eigen" $compiler -fsyntax-only -std=c++17 -Iinclude test/packaging/consumer/main.cpp
       [ -z "$properties" ] || result "$name-properties" runs "$name-properties" $compiler $tbb $common \
-        $(include_cgal $suite) -O1 -DBOOST_TEST_DYN_LINK -Itest/support test/contract/random_clouds.cpp -lboost_unit_test_framework
+        $(include_cgal $suite) -O2 -march=native -DBOOST_TEST_DYN_LINK -Itest/support test/contract/random_clouds.cpp -lboost_unit_test_framework
     }
     echo
   done

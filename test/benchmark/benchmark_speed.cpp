@@ -4,6 +4,7 @@
 // turns, and medians are printed. Ratios are what to trust. The error is that of at most two million points.
 //   benchmark_speed [--points ...] [--orders ...] [--samplings ...] [--threads ...] [--methods ...]
 #include "Speed_clouds.h"
+#include "Speed_machine.h"
 #include "Speed_methods.h"
 #include "Speed_phases.h"
 
@@ -31,7 +32,7 @@ struct Settings {
   std::vector<unsigned int> threads;
   unsigned int repeats;
   std::string csv;
-  bool difficult, phases;
+  bool difficult, phases, machine;
 };
 
 std::optional<Settings> read_command_line(int argc, char** argv)
@@ -49,7 +50,8 @@ std::optional<Settings> read_command_line(int argc, char** argv)
     ("repeats", options::value(&s.repeats)->default_value(3), "runs of each")
     ("csv", options::value(&s.csv), "file for all numbers")
     ("difficult", options::bool_switch(&s.difficult), "duplicates, lines and far points instead")
-    ("phases", options::bool_switch(&s.phases), "the phases of our run instead");
+    ("phases", options::bool_switch(&s.phases), "the phases of our run instead")
+    ("machine", options::bool_switch(&s.machine), "what one thread of this machine can do instead");
   // clang-format on
   options::variables_map given;
   options::store(options::parse_command_line(argc, argv, description), given);
@@ -199,6 +201,16 @@ class Benchmark {
         }
   }
 
+  void run_machine() const
+  {
+    double sink = 0.;
+    std::printf("| copied, read and written | %.1f GB/s |\n", 1e-9 * bytes_per_second());
+    std::printf("| multiplications and additions of floats | %.1f Gflop/s |\n",
+                1e-9 * flops_per_second(sink));
+    if (!std::isfinite(sink))
+      throw std::runtime_error("the arithmetic of this machine is wrong");
+  }
+
   void run_difficult_clouds() const
   {
     std::printf("| cloud | points | seconds | to the ordinary one |\n|---|---|---|---|\n");
@@ -230,7 +242,9 @@ public:
 
   void run()
   {
-    if (m_settings.phases)
+    if (m_settings.machine)
+      run_machine();
+    else if (m_settings.phases)
       run_phases();
     else if (m_settings.difficult)
       run_difficult_clouds();

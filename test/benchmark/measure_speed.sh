@@ -1,7 +1,7 @@
 #!/bin/sh
 # SPDX-License-Identifier: GPL-3.0-or-later
 # Makes the tables of speed and memory of the manual, and its plots, from runs on this machine, which
-# should have nothing else to do for about half an hour: measure_speed.sh BENCHMARK_SPEED FOLDER
+# should have nothing else to do for about 40 minutes, and 16 GB of memory: measure_speed.sh BENCHMARK_SPEED FOLDER
 set -eu
 run=$(realpath "$1")
 mkdir -p "$2"
@@ -17,6 +17,10 @@ cd "$2"
 "$run" --points 10000 100000 1000000 --orders unordered --methods jet bilateral Neighbor_query --repeats 1 --csv peer_sizes.csv | tee peer_sizes.md
 # phases
 "$run" --phases --points 1000000 --orders unordered --threads 1 2 | tee phases.md
+# what the machine can do
+"$run" --machine | tee machine.md
+# the default number of points in a block is exceeded
+"$run" --points 100000000 --orders unordered --threads 2 --methods ours --repeats 1 | tee large.md
 # steps and neighbors
 "$(dirname "$run")/benchmark_accuracy" --groups cost --points 20000 | tee cost.md
 # duplicates, lines, far points
