@@ -40,7 +40,7 @@ Neighbor_graph joined_graph(const std::vector<Neighbor_graph>& graphs,
   for (std::size_t i = 0; i < sites.size(); ++i)
     number[set.place(sites[i])] = static_cast<std::uint32_t>(i);
   return Neighbor_graph(
-      sites.size(), [](std::size_t) { return 0; }, // not known
+      sites.size(), [](std::size_t) { return std::size_t(0); }, // not known
       [&](std::size_t begin, std::size_t end, const auto& add) {
         for (std::size_t place = begin; place < end; ++place) {
           std::size_t i = number[place], ring = 0;
