@@ -63,7 +63,8 @@ public:
                                const CGAL::Point_set_flow::Tangent_plane_3& plane) const;
 
   /// returns whether the neighbors are those of two sheets, and on which one the point is.
-  /// Required with `number_of_sheet_rounds`. `neighborhood` has the normals and `Neighborhood_3::sheets()`.
+  /// Required with `number_of_sheet_rounds`. `neighborhood` has the normals, `Neighborhood_3::sheets()`,
+  /// `Neighborhood_3::deviation()` and `Neighborhood_3::excess_kurtosis()`.
   CGAL::Point_set_flow::Sheet_evidence
   find_sheets(const CGAL::Point_set_flow::Neighborhood_3& neighborhood, unsigned int round) const;
 
