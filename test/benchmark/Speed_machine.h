@@ -45,16 +45,21 @@ inline double flops_per_second(double& sink)
   constexpr int width = int(Eigen::internal::packet_traits<float>::size);
   typedef Eigen::Array<float, width, 1> Register;
   const std::size_t n = 20000000;
-  const Register factor = Register::Constant(.999f), summand = Register::Constant(.001f);
-  Register a = Register::Random(), b = -a, c = 2.f * a, d = 3.f * a, e = 4.f * a, f = 5.f * a;
+  const Register start = Register::Random();
   const double seconds = least_seconds([&] {
-    for (std::size_t i = 0; i < n; ++i) {
+    // as many chains as hide the latencies, and all in registers
+    const Register factor = Register::Constant(.999f), summand = Register::Constant(.001f);
+    Register a = start, b = -a, c = 2.f * a, d = 3.f * a, e = 4.f * a, f = 5.f * a, g = 6.f * a;
+    Register h = 7.f * a, i = 8.f * a, j = 9.f * a, k = -2.f * a, l = -3.f * a;
+    for (std::size_t count = 0; count < n; ++count) {
       a = a * factor + summand, b = b * factor + summand, c = c * factor + summand;
       d = d * factor + summand, e = e * factor + summand, f = f * factor + summand;
+      g = g * factor + summand, h = h * factor + summand, i = i * factor + summand;
+      j = j * factor + summand, k = k * factor + summand, l = l * factor + summand;
     }
-    sink += double((a + b + c + d + e + f).sum());
+    sink += double((a + b + c + d + e + f + g + h + i + j + k + l).sum());
   });
-  return 6. * 2. * double(width) * double(n) / seconds;
+  return 12. * 2. * double(width) * double(n) / seconds;
 }
 
 } // namespace comparison
