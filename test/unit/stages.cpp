@@ -151,3 +151,17 @@ BOOST_AUTO_TEST_CASE(thin_parts_are_distinguished_from_noise)
     BOOST_TEST((state.noise == given));
   }
 }
+
+BOOST_AUTO_TEST_CASE(moments_in_single_precision_keep_their_kurtosis_at_any_scale)
+{
+  for (const double deviation : {1e-15, 1e-3, 1., 1e6, 1e15})
+    for (const double kurtosis : {1., 1.8, 3., 30.}) {
+      const double second = deviation * deviation;
+      const internal::Compact_moments compact(
+          internal::Distance_moments(second, kurtosis * second * second));
+      BOOST_TEST(compact.deviation() == deviation, boost::test_tools::tolerance(1e-6));
+      BOOST_TEST(std::abs(compact.moments().excess() - (kurtosis - 3.)) < 1e-6 * kurtosis);
+    }
+  const internal::Compact_moments none(internal::Distance_moments(0., 0.));
+  BOOST_TEST(none.moments().excess() == 0.);
+}
