@@ -106,19 +106,15 @@ public:
                  std::size_t size, double radius, double filter_width,
                  const Surface_estimate_3& surface = Surface_estimate_3())
       : Neighborhood_3(points, center, internal::Neighbor_numbers(neighbors, size), radius,
-                       filter_width, surface)
-  {}
+                       filter_width)
+  {
+    m_surface = surface;
+  }
   /// \cond SKIP_IN_MANUAL
   Neighborhood_3(const Point_3* points, std::size_t center,
                  const internal::Neighbor_numbers& neighbors, double radius, double filter_width)
       : m_points(points), m_neighbors(neighbors), m_center(center), m_radius(radius),
         m_filter_width(filter_width)
-  {}
-  Neighborhood_3(const Point_3* points, std::size_t center,
-                 const internal::Neighbor_numbers& neighbors, double radius, double filter_width,
-                 const Surface_estimate_3& surface)
-      : m_points(points), m_neighbors(neighbors), m_center(center), m_radius(radius),
-        m_filter_width(filter_width), m_surface(surface)
   {}
   /// \endcond
 

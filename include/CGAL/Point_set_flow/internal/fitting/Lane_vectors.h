@@ -46,8 +46,8 @@ BOOST_FORCEINLINE Lanes lanes(const Lane_packet& packet)
 }
 
 /// The vectors that `four(i)` returns for the four lanes from `i` on
-template <typename Four>
-BOOST_FORCEINLINE Lanes_3 in_fours(const Four& four)
+template <typename Get_four>
+BOOST_FORCEINLINE Lanes_3 in_fours(const Get_four& four)
 {
 #ifdef EIGEN_VECTORIZE_AVX
   // not through memory, from which stores of halves cannot be forwarded to loads of both

@@ -7,7 +7,6 @@
 #include <CGAL/Point_set_flow/internal/flow/Flow_run.h>
 #include <CGAL/Point_set_flow/internal/neighbors/Block.h>
 
-#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <numeric>
@@ -147,7 +146,6 @@ private:
 
   Flow_result take_result()
   {
-    m_loops.set_share(1.);
     m_result.is_limited = m_wanted.limited_moves;
     m_result.moved =
         std::accumulate(m_moved.begin(), m_moved.end(), 0.) / double(m_number_of_points);
@@ -157,17 +155,13 @@ private:
   void run_in_turn(Analyzed_points& points, std::size_t block_size)
   {
     points.forget_scales();
-    const std::size_t n = points.buffer().size();
-    for (std::size_t begin = 0; begin < n; begin += block_size) {
-      std::vector<std::uint32_t> interior((std::min)(block_size, n - begin));
-      std::iota(interior.begin(), interior.end(), static_cast<std::uint32_t>(begin));
-      m_loops.set_share(double(interior.size()) / double(n));
-      m_loops.begin_stage(stage_costs::graph);
-      Block block = take_some(
-          points.buffer(), points.part_of(),
-          cut_graph(points.tree(), m_plan.search, interior, m_plan.number_of_rings(), m_loops));
-      run(block);
-    }
+    for_each_cut(
+        points.tree(), m_plan.search, block_size, m_plan.number_of_rings(),
+        [&](Cut_graph&& cut, std::size_t, std::size_t) {
+          Block block = take_some(points.buffer(), points.part_of(), std::move(cut));
+          run(block);
+        },
+        m_loops);
   }
 
   void run(Block& block)

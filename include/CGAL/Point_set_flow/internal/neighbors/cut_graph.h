@@ -6,10 +6,12 @@
 
 #include <CGAL/Point_set_flow/internal/neighbors/Neighbor_graph.h>
 #include <CGAL/Point_set_flow/internal/neighbors/Site_set.h>
+#include <CGAL/Point_set_flow/internal/parallel/stage_costs.h>
 
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <numeric>
 #include <optional>
 #include <vector>
 
@@ -112,6 +114,24 @@ Cut_graph cut_graph(const Neighbor_tree& tree, const Search_options& search,
 {
   const auto all_is_certain = [](const auto&...) { return true; };
   return *cut_graph(tree, search, interior, rings, all_is_certain, loops);
+}
+
+/// Cuts all points out of a point set, block by block along the curve. Each cut is a stage of the progress.
+/// \param visit called as `visit(cut, begin, end)` for the sites from `begin` to `end`, which are the interior
+template <typename ConcurrencyTag, typename Visit>
+void for_each_cut(const Neighbor_tree& tree, const Search_options& search, std::size_t block_size,
+                  std::size_t rings, const Visit& visit, Loops<ConcurrencyTag>& loops)
+{
+  const std::size_t n = tree.points().size();
+  for (std::size_t begin = 0; begin < n; begin += block_size) {
+    const std::size_t end = (std::min)(begin + block_size, n);
+    std::vector<std::uint32_t> interior(end - begin);
+    std::iota(interior.begin(), interior.end(), static_cast<std::uint32_t>(begin));
+    loops.set_share(double(end - begin) / double(n));
+    loops.begin_stage(stage_costs::graph);
+    visit(cut_graph(tree, search, interior, rings, loops), begin, end);
+  }
+  loops.set_share(1.);
 }
 
 } // namespace internal

@@ -6,13 +6,10 @@
 
 #include <CGAL/Point_set_flow/internal/neighbors/cut_graph.h>
 #include <CGAL/Point_set_flow/internal/noise/Certainty.h>
-#include <CGAL/Point_set_flow/internal/parallel/stage_costs.h>
 
-#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <numeric>
 #include <vector>
 
 namespace CGAL {
@@ -87,25 +84,20 @@ std::vector<std::uint32_t> choose_samples_in_blocks(const Neighbor_tree& tree,
                                                     std::size_t block_size,
                                                     Loops<ConcurrencyTag>& loops)
 {
-  const std::size_t n = tree.points().size(), rings = 3;
+  const std::size_t rings = 3;
   const Clearance whole;
   std::vector<std::uint32_t> sites;
-  for (std::size_t begin = 0; begin < n; begin += block_size) {
-    std::vector<std::uint32_t> interior((std::min)(block_size, n - begin));
-    std::iota(interior.begin(), interior.end(), static_cast<std::uint32_t>(begin));
-    loops.set_share(double(interior.size()) / double(n));
-    loops.begin_stage(stage_costs::graph);
-    const Cut_graph cut = cut_graph(tree, {choice_size}, interior, rings, loops);
+  const auto choose = [&](const Cut_graph& cut, std::size_t begin, std::size_t end) {
     Array<Point_3> points;
     points.reserve(cut.sites.size());
     for (const std::uint32_t site : cut.sites)
       points.push_back(tree.points()[site]);
     Certainty certainty(whole);
     for (const std::uint32_t place : choose_samples(points, cut.graph, certainty, loops))
-      if (cut.sites[place] >= begin && cut.sites[place] < begin + interior.size())
+      if (cut.sites[place] >= begin && cut.sites[place] < end)
         sites.push_back(cut.sites[place]);
-  }
-  loops.set_share(1.);
+  };
+  for_each_cut(tree, {choice_size}, block_size, rings, choose, loops);
   return sites;
 }
 
