@@ -24,7 +24,7 @@ struct Case {
   std::vector<std::uint32_t> others;
   std::vector<Compact_tangent_plane_3> planes;
   std::vector<float> residuals;
-  std::vector<double> radii;
+  std::vector<Compact_length> radii;
   std::vector<Sheet_evidence> sheets;
   double deviation, excess;
 
@@ -45,7 +45,7 @@ struct Case {
       if (i > 0)
         others.push_back(std::uint32_t(i));
     }
-    radii.assign(n, radius());
+    radii.assign(n, Compact_length(radius()));
   }
   Surface_estimate_3 surface() const
   {
@@ -139,8 +139,8 @@ BOOST_AUTO_TEST_CASE(a_correction_follows_scaling_and_is_bounded)
     const double factor = std::ldexp(1., 20);
     for (Point_3& p : c.points)
       p = CGAL::ORIGIN + factor * (p - CGAL::ORIGIN);
-    for (double& r : c.radii)
-      r *= factor;
+    for (Compact_length& r : c.radii)
+      r = Compact_length(factor * r.value());
     Surface_estimate_3 surface = c.surface();
     surface.noise *= factor, surface.spacing *= factor;
     const Neighborhood_3 larger(c.points.data(), 0, c.others.data(), c.others.size(), c.radius(),

@@ -4,6 +4,7 @@
 
 #include <CGAL/license/Point_set_flow.h>
 
+#include <CGAL/Point_set_flow/Compact_length.h>
 #include <CGAL/Point_set_flow/Core_kernel.h>
 #include <CGAL/Point_set_flow/Side_3.h>
 #include <CGAL/Point_set_flow/Tangent_plane_3.h>
@@ -38,8 +39,8 @@ struct Surface_estimate_3 {
   /// for each point, how far it was above the place where it is now before the flow, along its normal, in its
   /// neighborhood radius; or null
   const float* residuals = nullptr;
-  const double* radii =
-      nullptr; ///< for each point, the neighborhood radius, if the residuals are known
+  /// for each point, the neighborhood radius, if the residuals are known
+  const Compact_length* radii = nullptr;
   const Sheet_evidence* sheets = nullptr; ///< for each point, or null
   /// the standard deviation of the distances from the tangent planes around the point, if there is evidence of sheets
   double deviation = 0.;
@@ -219,7 +220,7 @@ public:
 private:
   double residual_of(std::size_t i) const
   {
-    return double(m_surface.residuals[i]) * m_surface.radii[i];
+    return double(m_surface.residuals[i]) * m_surface.radii[i].value();
   }
 };
 

@@ -27,7 +27,7 @@ struct Wanted_results {
 /// The results for the distinct points.
 struct Flow_result {
   Array<Compact_vector_3> moves;   ///< from the reference points, in `unit()`
-  Array<double> radii;             ///< of the neighborhoods
+  Array<Compact_length> radii;     ///< of the neighborhoods
   bool is_limited = false;         ///< whether no point may leave its neighborhood
   Array<Vector_3> normals;         ///< empty if not wanted; null vectors where there is no plane
   Array<double> feature_strength;  ///< empty if not wanted
@@ -35,7 +35,7 @@ struct Flow_result {
   double moved = 0.;               ///< the mean distance in the last step
 
   /// The length of 1 of the moves of a point
-  double unit(std::size_t i) const { return unit_of_moves(radii[i]); }
+  double unit(std::size_t i) const { return unit_of_moves(radii[i].value()); }
 
   /// \param n the number of points in all blocks
   template <typename T>

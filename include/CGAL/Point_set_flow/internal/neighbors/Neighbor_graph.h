@@ -28,7 +28,7 @@ namespace internal {
 /// The nearest neighbors of points, nearest first: the first of them are the neighbors in a smaller neighborhood.
 class Neighbor_graph {
   std::vector<Neighbor_chunk> m_chunks;
-  Array<double> m_radii; // the distance of the farthest neighbor
+  Array<Compact_length> m_radii; // the distance of the farthest neighbor
 
 public:
   /// A graph without points
@@ -40,7 +40,7 @@ public:
   template <typename Most, typename Fill_chunk, typename ConcurrencyTag>
   Neighbor_graph(std::size_t n, const Most& most, const Fill_chunk& fill_chunk,
                  Loops<ConcurrencyTag>& loops)
-      : m_chunks((n + chunk_size - 1) / chunk_size), m_radii(n, 0.)
+      : m_chunks((n + chunk_size - 1) / chunk_size), m_radii(n, Compact_length())
   {
     loops.for_each_chunk(
         n, [&](std::size_t begin, std::size_t end) { fill(begin, end, most, fill_chunk); });
@@ -71,8 +71,8 @@ public:
 
   std::size_t number_of_points() const { return m_radii.size(); }
   std::size_t size(std::size_t i) const { return neighbors(i).size(); }
-  double radius(std::size_t i) const { return m_radii[i]; }
-  const double* radii() const { return m_radii.data(); }
+  double radius(std::size_t i) const { return m_radii[i].value(); }
+  const Compact_length* radii() const { return m_radii.data(); }
   Neighbor_numbers neighbors(std::size_t i) const { return neighbors(i, i); }
   /// \param site the number of point `i` in the tree
   Neighbor_numbers neighbors(std::size_t i, std::size_t site) const
@@ -100,7 +100,7 @@ public:
     return true;
   }
 
-  Array<double>&& take_radii() { return std::move(m_radii); }
+  Array<Compact_length>&& take_radii() { return std::move(m_radii); }
 
   /// Leaves each point the nearest of its neighbors.
   /// \param points where the points were when the graph was made
@@ -148,7 +148,7 @@ private:
         begin, end,
         [&](std::size_t i, std::size_t site, std::size_t size, const auto& number, double radius) {
           chunk.add(i - begin, site, size, number);
-          m_radii[i] = radius;
+          m_radii[i] = Compact_length(radius);
         });
     chunk.skip(end - begin);
     m_chunks[begin / chunk_size] = Neighbor_chunk();      // memory
@@ -205,7 +205,7 @@ private:
   void shrink(const Array<Point_3>& points, std::size_t i, std::size_t most)
   {
     const std::size_t count = (std::min)(most, size(i));
-    m_radii[i] = radius(points, i, count);
+    m_radii[i] = Compact_length(radius(points, i, count));
     m_chunks[i / chunk_size].shrink(i % chunk_size, count);
   }
 
