@@ -22,7 +22,7 @@ using shapes::Points;
 struct Case {
   Points points;
   std::vector<std::uint32_t> others;
-  std::vector<Compact_tangent_plane_3> planes;
+  std::vector<Compact_vector_3> normals;
   std::vector<float> residuals;
   std::vector<Compact_length> radii;
   std::vector<Sheet_evidence> sheets;
@@ -39,18 +39,19 @@ struct Case {
     for (std::size_t i = 0; i < n; ++i) {
       points.emplace_back(normal(random), normal(random), thickness * normal(random));
       const Vector_3 v(.3 * normal(random), .3 * normal(random), i % 3 == 0 ? 1. : -1.);
-      planes.push_back(v / std::sqrt(v.squared_length()));
+      normals.push_back(v / std::sqrt(v.squared_length()));
       residuals.push_back(float(.1 * normal(random)));
       sheets.push_back({float(normal(random)), float(normal(random))});
       if (i > 0)
         others.push_back(std::uint32_t(i));
     }
+    normals.emplace_back(); // see `Surface_estimate_3::normals`
     radii.assign(n, Compact_length(radius()));
   }
   Surface_estimate_3 surface() const
   {
     Surface_estimate_3 s;
-    s.planes = planes.data();
+    s.normals = normals.data();
     s.noise = .1, s.spacing = .5, s.time = 1.;
     s.residuals = residuals.data();
     s.radii = radii.data();
@@ -74,7 +75,7 @@ struct Case {
 inline Case turned(Case c)
 {
   for (std::size_t i = 0; i < c.points.size(); ++i) {
-    c.planes[i] = Compact_tangent_plane_3(-c.planes[i].normal());
+    c.normals[i] = -c.normals[i].vector();
     c.residuals[i] = -c.residuals[i];
     c.sheets[i].side = -c.sheets[i].side;
   }

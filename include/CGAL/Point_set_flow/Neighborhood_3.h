@@ -5,9 +5,9 @@
 #include <CGAL/license/Point_set_flow.h>
 
 #include <CGAL/Point_set_flow/Compact_length.h>
+#include <CGAL/Point_set_flow/Compact_vector_3.h>
 #include <CGAL/Point_set_flow/Core_kernel.h>
 #include <CGAL/Point_set_flow/Side_3.h>
-#include <CGAL/Point_set_flow/Tangent_plane_3.h>
 
 #include <boost/config.hpp>
 
@@ -29,7 +29,8 @@ struct Sheet_evidence {
 /// \ingroup PkgPointSetFlowCurvature
 /// What is known of a surface around a point, besides the points.
 struct Surface_estimate_3 {
-  const Compact_tangent_plane_3* planes = nullptr; ///< one for each point, or null
+  /// one for each point, or null. Four bytes behind the last one are read, too, but not used.
+  const Compact_vector_3* normals = nullptr;
   double noise = 0.;                               ///< the standard deviation of the noise
   double spacing = 0.;                             ///< the spacing around the point
   double time = 0.; ///< 0 in the first step of the flow, 1 in the last
@@ -130,14 +131,14 @@ public:
 
   /// whether the normals of the points are known: from the second step on if the estimator declares
   /// `Uses_surface_estimate`, and then always in `directional_curvature()`
-  bool has_normals() const { return m_surface.planes != nullptr; }
+  bool has_normals() const { return m_surface.normals != nullptr; }
   /// the unit normal of the point in the middle. It points to the side of the point if that is known, see
   /// `is_sided()`; else its orientation is arbitrary.
   /// \pre `has_normals()`
-  Vector_3 normal() const { return m_surface.planes[m_center].normal(); }
+  Vector_3 normal() const { return m_surface.normals[m_center].vector(); }
   /// the unit normal of a neighbor
   /// \pre `has_normals()`
-  Vector_3 normal(std::size_t j) const { return m_surface.planes[m_neighbors[j]].normal(); }
+  Vector_3 normal(std::size_t j) const { return m_surface.normals[m_neighbors[j]].vector(); }
 
   /// whether the side of the point is known: the caller gave a normal that is trusted, or two sheets were
   /// told apart
@@ -192,7 +193,7 @@ public:
   Surface_estimate_3& surface_estimate() { return m_surface; }
   Vector_3 side() const { return m_surface.sides[m_center].vector(); }
   const Point_3* points() const { return m_points; }
-  const Compact_tangent_plane_3* planes() const { return m_surface.planes; }
+  const Compact_vector_3* normals() const { return m_surface.normals; }
   const internal::Neighbor_numbers& numbers() const { return m_neighbors; }
   std::size_t center_number() const { return m_center; }
   double filter_width() const { return m_filter_width; }

@@ -18,24 +18,6 @@ struct Tangent_plane_3 {
   double variation;
 };
 
-/// \ingroup PkgPointSetFlowCurvature
-/// A tangent plane in single precision. Those of all points are kept in this form: four neighbors at a time are
-/// loaded from it.
-struct Compact_tangent_plane_3 {
-  float x = 0.f;         /*!< x of the normal */
-  float y = 0.f;         /*!< y */
-  float z = 0.f;         /*!< z */
-  float variation = 0.f; ///< see `Tangent_plane_3`
-  /// a null normal
-  Compact_tangent_plane_3() = default;
-  /// rounds a tangent plane
-  Compact_tangent_plane_3(const Vector_3& normal, double variation_ = 0.)
-      : x(float(normal.x())), y(float(normal.y())), z(float(normal.z())),
-        variation(float(variation_))
-  {}
-  Vector_3 normal() const { return Vector_3(double(x), double(y), double(z)); } ///< the normal
-};
-
 } // namespace Point_set_flow
 } // namespace CGAL
 

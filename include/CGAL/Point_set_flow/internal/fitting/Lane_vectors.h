@@ -4,6 +4,7 @@
 
 #include <CGAL/license/Point_set_flow.h>
 
+#include <CGAL/Point_set_flow/Compact_vector_3.h>
 #include <CGAL/Point_set_flow/internal/fitting/Lanes.h>
 
 #include <boost/config.hpp>
@@ -94,14 +95,12 @@ BOOST_FORCEINLINE Lanes_3 differences(const Point_3* points, const Point_3& from
   });
 }
 
-/// The first three floats of some elements
-/// \pre the elements are four floats each
-template <typename Element>
-BOOST_FORCEINLINE Lanes_3 vectors(const Element* elements, const Lane_numbers& of)
+/// Some of many vectors
+/// \pre after the last of all, four bytes can be read
+BOOST_FORCEINLINE Lanes_3 vectors(const Compact_vector_3* all, const Lane_numbers& of)
 {
   using namespace Eigen::internal;
-  static_assert(sizeof(Element) == 4 * sizeof(float), "elements are four floats");
-  const auto row = [&](std::size_t l) { return ploadu<Packet_4>(&elements[of[l]].x); };
+  const auto row = [&](std::size_t l) { return ploadu<Packet_4>(&all[of[l]].x); };
   return in_fours([&](std::size_t i) -> Packets_3 {
     // no loop, which would keep the rows in memory
     PacketBlock<Packet_4, 4> block = {{row(i), row(i + 1), row(i + 2), row(i + 3)}};
@@ -167,15 +166,14 @@ inline Lanes_3 differences(const Point_3* points, const Point_3& from, const Lan
   return d;
 }
 
-template <typename Element>
-Lanes_3 vectors(const Element* elements, const Lane_numbers& of)
+inline Lanes_3 vectors(const Compact_vector_3* all, const Lane_numbers& of)
 {
   Lanes_3 v;
   for (std::size_t l = 0; l < lane_width; ++l) {
-    const Element& element = elements[of[l]];
-    v.x[Eigen::Index(l)] = element.x;
-    v.y[Eigen::Index(l)] = element.y;
-    v.z[Eigen::Index(l)] = element.z;
+    const Compact_vector_3& vector = all[of[l]];
+    v.x[Eigen::Index(l)] = vector.x;
+    v.y[Eigen::Index(l)] = vector.y;
+    v.z[Eigen::Index(l)] = vector.z;
   }
   return v;
 }

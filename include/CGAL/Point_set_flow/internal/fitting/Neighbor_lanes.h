@@ -53,7 +53,7 @@ public:
 
   BOOST_FORCEINLINE Lanes_3 normals(const Lane_numbers& of) const
   {
-    return vectors(m_neighborhood.planes(), of);
+    return vectors(m_neighborhood.normals(), of);
   }
 };
 

@@ -41,7 +41,7 @@ class Flow_run {
   const Curvature& m_curvature;
   Loops<ConcurrencyTag>& m_loops;
   Surface_state m_state;
-  Array<Compact_tangent_plane_3> m_spare; // for the next tangent planes, or the moves of a step
+  Vector_array m_spare; // for the next normals, or the moves of a step
   Moves m_moves;
   std::vector<double> m_moved; // see `moved()`
   Resting_points m_resting;
@@ -51,7 +51,7 @@ public:
   Flow_run(const Flow_plan& plan, Block& block, const Flow& flow, const Curvature& curvature,
            Loops<ConcurrencyTag>& loops)
       : m_plan(plan), m_block(block), m_flow(flow), m_curvature(curvature),
-        m_loops(loops), m_state{{}, {}, {}, plan.parts, 0., {}}, m_moves(block.graph, m_spare)
+        m_loops(loops), m_state{{}, {}, {}, {}, plan.parts, 0., {}}, m_moves(block.graph, m_spare)
   {
     m_state.part_of = std::move(block.part_of);
     if (!uses_surface_estimate)
@@ -98,7 +98,7 @@ public:
     m_moves.finish();
     if constexpr (is_corrected)
       if (m_plan.number_of_corrections > 0) {
-        m_state.residuals = m_moves.residuals(m_state.planes);
+        m_state.residuals = m_moves.residuals(m_state.normals);
         correct(
             m_block.points, m_block.graph, m_state, m_curvature,
             [&](std::size_t i) { return rest_reason(i) != Rest_reason::OTHER; },
@@ -157,7 +157,8 @@ private:
     for (float& noise : m_state.noise)
       noise = (std::max)(noise, .1f);
     const Array<Vector_3> normals = find_normals();
-    m_state.planes.assign(normals.begin(), normals.end());
+    for (std::size_t i = 0; i < normals.size(); ++i)
+      m_state.normals[i] = normals[i];
     const Array<Point_3> start = m_block.points;
     relax_along_surface(
         surface(start), m_plan.number_of_relaxation_steps,
@@ -185,16 +186,18 @@ private:
   {
     m_loops.begin_stage(stage_costs::planes);
     if (!m_resting.empty())
-      m_spare = m_state.planes;
+      m_spare = m_state.normals;
     m_spare.resize(m_block.points.size());
+    m_state.variations.resize(m_block.points.size());
     find_tangent_planes(
         surface(m_block.points), m_curvature,
         [&](std::size_t i) { return m_resting.needs_plane(i); },
         [&](std::size_t i, const Tangent_plane_3& plane) {
-          m_spare[i] = Compact_tangent_plane_3(plane.normal, plane.variation);
+          m_spare[i] = plane.normal;
+          m_state.variations[i] = float(plane.variation);
         },
         m_loops);
-    m_state.planes.swap(m_spare);
+    m_state.normals.swap(m_spare);
   }
 
   bool may_move(std::size_t i) const { return !m_block.is_constrained(i) && !is_isolated(i); }

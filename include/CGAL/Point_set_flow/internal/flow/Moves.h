@@ -4,9 +4,8 @@
 
 #include <CGAL/license/Point_set_flow.h>
 
-#include <CGAL/Point_set_flow/Tangent_plane_3.h>
 #include <CGAL/Point_set_flow/internal/neighbors/Block.h>
-#include <CGAL/Point_set_flow/internal/parallel/Compact_vector_3.h>
+#include <CGAL/Point_set_flow/internal/parallel/Vector_array.h>
 
 #include <cmath>
 #include <cstddef>
@@ -26,14 +25,14 @@ class Moves {
   typedef Array<Compact_vector_3> Vectors;
 
   const Neighbor_graph& m_graph;
-  Array<Compact_tangent_plane_3>& m_last;
+  Vector_array& m_last;
   Vectors m_all, m_since_update;
   bool m_is_updated = false;
 
 public:
-  /// \param last receives the moves of the last step. The next tangent planes come there, too: of both, only one is
+  /// \param last receives the moves of the last step. The next normals come there, too: of both, only one is
   /// needed at a time.
-  Moves(const Neighbor_graph& graph, Array<Compact_tangent_plane_3>& last)
+  Moves(const Neighbor_graph& graph, Vector_array& last)
       : m_graph(graph), m_last(last)
   {}
 
@@ -44,7 +43,7 @@ public:
   {
     m_all.resize(points.size());
     for (std::size_t i = 0; i < reference.size(); ++i)
-      m_all[i] = Compact_vector_3((points[i] - reference[i]) / unit(i));
+      m_all[i] = (points[i] - reference[i]) / unit(i);
   }
   /// Makes the reference where the points are now.
   /// \param is_last_step whether the step that follows is the last one: in that step no point is away from it
@@ -58,15 +57,15 @@ public:
   /// Takes the move of a point in the step at hand.
   void set(std::size_t i, const Vector_3& move)
   {
-    m_last[i] = Compact_tangent_plane_3(move * (1. / unit(i)));
-    m_all[i] = Compact_vector_3(m_all[i].vector() + m_last[i].normal());
+    m_last[i] = move * (1. / unit(i));
+    m_all[i] = Compact_vector_3(m_all[i].vector() + m_last[i].vector());
     if (!m_since_update.empty())
-      m_since_update[i] = Compact_vector_3(m_since_update[i].vector() + m_last[i].normal());
+      m_since_update[i] = Compact_vector_3(m_since_update[i].vector() + m_last[i].vector());
   }
   /// in the last step; null if there was none
   Vector_3 operator[](std::size_t i) const
   {
-    return m_last.empty() ? Vector_3(NULL_VECTOR) : unit(i) * m_last[i].normal();
+    return m_last.empty() ? Vector_3(NULL_VECTOR) : unit(i) * m_last[i].vector();
   }
   /// from the reference, which may be updated, to where a point was before the step
   Vector_3 from_reference(std::size_t i) const
@@ -78,7 +77,7 @@ public:
   /// To be called after the last step: forgets it.
   void finish()
   {
-    m_last = Array<Compact_tangent_plane_3>();
+    m_last = Vector_array();
     m_since_update = Vectors();
   }
   /// Takes what moves a point after the last step.
@@ -88,11 +87,11 @@ public:
   }
 
   /// What took each point off the data, along its normal, in neighborhood radii
-  Array<float> residuals(const Array<Compact_tangent_plane_3>& planes) const
+  Array<float> residuals(const Vector_array& normals) const
   {
     Array<float> result(m_all.size());
     for (std::size_t i = 0; i < m_all.size(); ++i)
-      result[i] = float(-(m_all[i].vector() * planes[i].normal()));
+      result[i] = float(-(m_all[i].vector() * normals[i].vector()));
     return result;
   }
   Vectors&& take() { return std::move(m_all); }

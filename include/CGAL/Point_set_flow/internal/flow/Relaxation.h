@@ -192,7 +192,7 @@ private:
     };
     add(neighborhood.center(), neighborhood.normal(), 1.);
     for (const Sheet_neighbor& j : sheet)
-      add(m_surface.points[j.index], m_surface.state.planes[j.index].normal(), j.weight);
+      add(m_surface.points[j.index], m_surface.state.normals[j.index].vector(), j.weight);
     const double length = std::sqrt(normals.squared_length());
     if (!(length > 0.)) // nothing is near, or there are no normals
       return q;

@@ -41,7 +41,7 @@ void correct(const Array<Point_3>& points, const Neighbor_graph& graph, Surface_
     });
     loops.for_each_chunk(n, [&](std::size_t begin, std::size_t end) {
       for (std::size_t i = begin; i < end; ++i) {
-        move(i, double(movements[i]) * graph.radius(i) * state.planes[i].normal());
+        move(i, double(movements[i]) * graph.radius(i) * state.normals[i].vector());
         state.residuals[i] -= movements[i];
       }
     });

@@ -42,10 +42,9 @@ inline void take_found_sides(Surface_state& state, const Array<signed char>& sid
     if (sides[i] == 0)
       continue;
     state.sides.resize(sides.size());
-    Compact_tangent_plane_3& plane = state.planes[i];
     if (sides[i] < 0)
-      plane = Compact_tangent_plane_3(-plane.normal(), double(plane.variation));
-    state.sides[i] = Side_3(plane.normal());
+      state.normals[i] = -state.normals[i].vector();
+    state.sides[i] = Side_3(state.normals[i].vector());
   }
 }
 

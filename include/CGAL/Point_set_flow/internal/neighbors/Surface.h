@@ -6,7 +6,9 @@
 
 #include <CGAL/Point_set_flow/Diffusivity.h>
 #include <CGAL/Point_set_flow/Side_3.h>
+#include <CGAL/Point_set_flow/Tangent_plane_3.h>
 #include <CGAL/Point_set_flow/internal/neighbors/Neighbor_graph.h>
+#include <CGAL/Point_set_flow/internal/parallel/Vector_array.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -52,7 +54,8 @@ inline float in_spacings(double length, double spacing)
 
 /// What is known of a surface besides its points, at one time of the flow.
 struct Surface_state {
-  Array<Compact_tangent_plane_3> planes; ///< empty before the first ones
+  Vector_array normals;    ///< empty before the first ones
+  Array<float> variations; ///< of the same tangent planes
   Array<float> noise;                    ///< around each point, in spacings; empty if not needed
   Array<std::uint32_t> part_of;          ///< for each point, the part that it belongs to
   const std::vector<Local_parameters>& parts;
@@ -75,7 +78,7 @@ struct Surface_state {
   /// \pre the tangent planes are known
   Tangent_plane_3 plane(std::size_t i) const
   {
-    return {planes[i].normal(), double(planes[i].variation)};
+    return {normals[i].vector(), double(variations[i])};
   }
 
   const Local_parameters& parameters(std::size_t i) const { return parts[part_of[i]]; }
@@ -83,7 +86,7 @@ struct Surface_state {
   /// Tells what is known around a point.
   void describe(std::size_t i, Surface_estimate_3& surface) const
   {
-    surface.planes = planes.empty() ? nullptr : planes.data();
+    surface.normals = normals.empty() ? nullptr : normals.data();
     surface.spacing = parameters(i).spacing;
     surface.noise = noise.empty() ? 0. : double(noise[i]) * surface.spacing;
     surface.time = time;
