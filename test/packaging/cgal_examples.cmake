@@ -27,6 +27,7 @@ foreach(example IN LISTS examples)
 
   add_executable(cgal_${name} ${replaced})
   target_link_libraries(cgal_${name} PRIVATE PointSetFlow::point_set_flow)
+  target_compile_options(cgal_${name} PRIVATE -O0) # to optimize all of these takes longer than they run
   target_compile_definitions(cgal_${name} PRIVATE CGAL_DATA_DIR="${CGAL_DEMO_DATA_DIR}")
   set(work_dir ${CMAKE_CURRENT_BINARY_DIR}/cgal_examples/${name}_work)
   file(MAKE_DIRECTORY ${work_dir}/data) # where the bilateral example writes

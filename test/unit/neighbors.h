@@ -27,7 +27,7 @@ BOOST_AUTO_TEST_CASE(the_graph_has_the_nearest_neighbors)
           expected.pop_back();
         BOOST_REQUIRE(graph.size(i) == expected.size());
         const double farthest = expected.empty() ? 0. : expected.back().squared_distance;
-        BOOST_REQUIRE(graph.radius(i) == std::sqrt(farthest));
+        BOOST_REQUIRE(graph.radius(i) == Compact_length(std::sqrt(farthest)).value());
         for (std::size_t j = 0; j < expected.size(); ++j)
           BOOST_REQUIRE(graph.neighbors(i)[j] == expected[j].index);
       };
@@ -52,7 +52,9 @@ BOOST_AUTO_TEST_CASE(a_graph_of_few_points_has_as_many_neighbors_as_wanted)
       const internal::Neighbor_graph graph(tree, {k}, loops);
       for (std::size_t i = 0; i < n; ++i) {
         BOOST_REQUIRE(graph.size(i) == k);
-        BOOST_REQUIRE(graph.radius(i) == std::sqrt(by_distance(points, i)[k - 1].squared_distance));
+        BOOST_REQUIRE(
+            graph.radius(i) ==
+            Compact_length(std::sqrt(by_distance(points, i)[k - 1].squared_distance)).value());
       }
     }
   }

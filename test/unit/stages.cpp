@@ -154,6 +154,21 @@ BOOST_AUTO_TEST_CASE(thin_parts_are_distinguished_from_noise)
   }
 }
 
+BOOST_AUTO_TEST_CASE(compact_lengths_are_rounded_up_by_little_at_any_scale)
+{
+  std::mt19937 random(5);
+  std::uniform_real_distribution<double> digits(1., 2.);
+  for (int exponent = -1000; exponent <= 1000; exponent += 10) {
+    const double length = std::ldexp(digits(random), exponent);
+    const double compact = Compact_length(length).value();
+    BOOST_TEST(compact >= length);
+    BOOST_TEST(compact <= length * (1. + 1e-6));
+    BOOST_TEST(Compact_length(compact).value() == compact);
+  }
+  BOOST_TEST(Compact_length(0.).value() == 0.);
+  BOOST_TEST(Compact_length().value() == 0.);
+}
+
 BOOST_AUTO_TEST_CASE(moments_in_single_precision_keep_their_kurtosis_at_any_scale)
 {
   for (const double deviation : {1e-15, 1e-3, 1., 1e6, 1e15})

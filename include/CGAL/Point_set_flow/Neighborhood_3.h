@@ -31,9 +31,9 @@ struct Sheet_evidence {
 struct Surface_estimate_3 {
   /// one for each point, or null. Four bytes behind the last one are read, too, but not used.
   const Compact_vector_3* normals = nullptr;
-  double noise = 0.;                               ///< the standard deviation of the noise
-  double spacing = 0.;                             ///< the spacing around the point
-  double time = 0.; ///< 0 in the first step of the flow, 1 in the last
+  double noise = 0.;   ///< the standard deviation of the noise
+  double spacing = 0.; ///< the spacing around the point
+  double time = 0.;    ///< 0 in the first step of the flow, 1 in the last
   /// for each point, the side of the surface on which it was measured, given or found, if it is known and to be
   /// trusted; or null
   const Side_3* sides = nullptr;

@@ -32,9 +32,7 @@ class Moves {
 public:
   /// \param last receives the moves of the last step. The next normals come there, too: of both, only one is
   /// needed at a time.
-  Moves(const Neighbor_graph& graph, Vector_array& last)
-      : m_graph(graph), m_last(last)
-  {}
+  Moves(const Neighbor_graph& graph, Vector_array& last) : m_graph(graph), m_last(last) {}
 
   /// To be called before the first step, when the neighborhoods are final.
   /// \param points where they start

@@ -54,10 +54,10 @@ inline float in_spacings(double length, double spacing)
 
 /// What is known of a surface besides its points, at one time of the flow.
 struct Surface_state {
-  Vector_array normals;    ///< empty before the first ones
-  Array<float> variations; ///< of the same tangent planes
-  Array<float> noise;                    ///< around each point, in spacings; empty if not needed
-  Array<std::uint32_t> part_of;          ///< for each point, the part that it belongs to
+  Vector_array normals;         ///< empty before the first ones
+  Array<float> variations;      ///< of the same tangent planes
+  Array<float> noise;           ///< around each point, in spacings; empty if not needed
+  Array<std::uint32_t> part_of; ///< for each point, the part that it belongs to
   const std::vector<Local_parameters>& parts;
   double time = 0.;                  ///< 0 in the first step, 1 in the last
   Array<Side_3> sides;               ///< given or found; empty if none is known

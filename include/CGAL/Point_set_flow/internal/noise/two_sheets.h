@@ -142,7 +142,8 @@ inline int agreement_of_sides(const Surface& surface, std::size_t i)
     if (!is_likely(state.sheets[k], narrow))
       continue;
     ++known;
-    alike += state.sides[k].vector() * state.normals[k].vector() * double(state.sheets[k].side) > 0.;
+    alike +=
+        state.sides[k].vector() * state.normals[k].vector() * double(state.sheets[k].side) > 0.;
   }
   if (state.is_sided(i))
     return 0;
