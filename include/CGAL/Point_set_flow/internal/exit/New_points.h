@@ -68,7 +68,9 @@ private:
   Vector_3 move(const Flow_result& result, std::size_t site) const
   {
     const Vector_3 d = result.moves[site].vector(); // in neighborhood radii
-    const double squared = d.squared_length(), most = result.radii[site].value() > 0. ? 1. : 0.;
+    const double squared = d.squared_length();
+    // as far as the neighborhood reaches, whose radius is rounded up
+    const double most = result.radii[site].value() > 0. ? 1. - 2. * Compact_length::rounding : 0.;
     return result.unit(site) *
            (m_is_limited && squared > most ? d * (most / std::sqrt(squared)) : d);
   }

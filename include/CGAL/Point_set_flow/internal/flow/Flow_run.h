@@ -157,6 +157,7 @@ private:
     for (float& noise : m_state.noise)
       noise = (std::max)(noise, .1f);
     const Array<Vector_3> normals = find_normals();
+    m_state.normals.resize(normals.size());
     for (std::size_t i = 0; i < normals.size(); ++i)
       m_state.normals[i] = normals[i];
     const Array<Point_3> start = m_block.points;

@@ -70,7 +70,7 @@ public:
   /// \param points in the order of the curve, or searching is slow
   Neighbor_tree(const Array<Point_3>& points, const Progress& progress) : m_points(points)
   {
-    m_nodes.reserve(points.size() / 8); // about as many as there are on surfaces
+    m_nodes.reserve(points.size() / 8 + 1); // about as many as there are on surfaces
     if (!points.empty())
       add_node(0, points.size(), progress);
   }
