@@ -215,7 +215,7 @@ namespace CGAL {
    \throws std::length_error if there are more than \f$2^{32}-1\f$ points
 
    Complexity: \f$O(n \log n + n k)\f$ for analysis, which looks at 96 neighbors of one point
-   in about 25, and for neighbors; \f$O(nk)\f$ for each iteration; 4 bytes for each neighbor.
+   in about 18, and for neighbors; \f$O(nk)\f$ for each iteration; 4 bytes for each neighbor.
 */
 template <typename ConcurrencyTag, typename PointRange,
           typename NamedParameters = parameters::Default_named_parameters>

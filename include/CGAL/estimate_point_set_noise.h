@@ -14,7 +14,7 @@ namespace CGAL {
    estimates the standard deviation of the noise of a point set: of the distances of the points to
    the surface that they were measured on.
 
-   The noise is estimated around one point of about 25, from quadrics fitted to its neighborhoods by
+   The noise is estimated around one point of about 18, from quadrics fitted to its neighborhoods by
    least squares, and the median of these estimates is returned; see
    `Point_set_flow::estimate_point_set_scale()`, which finds the spacing as well. For Gaussian noise
    between 0.03 and 2 spacings on a smooth surface the estimate is within 15% of the truth. Surface detail

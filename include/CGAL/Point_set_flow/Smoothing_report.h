@@ -14,7 +14,7 @@ namespace Point_set_flow {
 /// are in the unit of the data.
 ///
 /// Noise, spacing, number of neighbors and \f$K\f$ are found around each point. The medians in this
-/// report, over about one point of 25, describe the point set; nothing is decided by them.
+/// report, over about one point of 18, describe the point set; nothing is decided by them.
 struct Smoothing_report {
   /// the number of points
   std::size_t number_of_points = 0;

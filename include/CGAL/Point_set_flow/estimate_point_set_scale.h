@@ -16,12 +16,12 @@ namespace Point_set_flow {
    estimates the noise and the spacing of a point set, and with them the number of neighbors that
    suits the default estimator of `balanced_flow_smooth_point_set()`.
 
-   Noise and spacing are estimated around one point of about 25, and their medians are returned. Where both
+   Noise and spacing are estimated around one point of about 18, and their medians are returned. Where both
    vary, these describe the point set, but `balanced_flow_smooth_point_set()` does not use them: it uses
    the estimates around each point. If the caller of that function gives normals, its estimates also leave
    out neighbors on the opposite side, and may be smaller.
 
-   The noise is the deviation of neighborhoods from fitted quadrics, pooled over the 44 nearest of these
+   The noise is the deviation of neighborhoods from fitted quadrics, pooled over the 64 nearest of these
    points. Of the neighborhood sizes 12, 24, 48 and 96 the first is used whose neighborhoods spread
    over a surface rather than over lines or columns, and whose radius is at least 2.1 times the noise found
    with it: smaller ones cannot tell noise from shape. From the two smallest, the deviation is

@@ -72,7 +72,7 @@ private:
   /// \param radius of its neighborhood; 0 if not known
   double guess(std::uint32_t site, double radius, std::size_t rings_left, double to_sample) const
   {
-    const double poolings = 3., pooled = 45. * 25., far = 8.; // samples, each one of so many points
+    const double poolings = 3., pooled = 65. * 18., far = 8.; // samples, each one of so many points
     const double spacing = m_points.scale_map().scales()[m_points.part_of()[site]].spacing;
     const double k = double(m_search.k_of(site)), usual = spacing * std::sqrt((k + 1.) / CGAL_PI);
     if (usual > 0. && radius > far * usual)

@@ -42,7 +42,7 @@ public:
         m_points(points_at(tree.points(), m_sites)), m_tree(m_points, loops),
         m_scales(m_sites.size())
   {
-    const std::size_t pooled = 44; // samples, besides the one in the middle
+    const std::size_t pooled = 64; // samples, besides the one in the middle
     const Neighbor_graph near(m_tree, {pooled, 0., {}}, loops);
     const Layer_evidence evidence(tree, m_sites, near, sides, scans, loops);
     std::vector<Residuals> residuals(m_sites.size());

@@ -17,18 +17,18 @@ namespace Point_set_flow {
 namespace internal {
 
 /// The number of neighbors by which samples are chosen
-constexpr std::size_t choice_size = 24;
+constexpr std::size_t choice_size = 16;
 
 inline Neighbor_numbers nearest_for_choice(const Neighbor_graph& graph, std::size_t i)
 {
   return graph.neighbors(i).nearest(choice_size);
 }
 
-/// About one point of 25: those whose neighborhood radius deviates less from the mean of their
+/// About one point of 18: those whose neighborhood radius deviates less from the mean of their
 /// neighbors' than that of each neighbor does. Which these are depends on the points around only, and
 /// not on how the data are translated, rotated, scaled or numbered; and they favor neither dense nor
 /// sparse places.
-/// \param graph of all points, with at least as many neighbors each
+/// \param graph of all points, with at least 16 neighbors each
 /// \param certainty learns which choices are doubtful
 template <typename ConcurrencyTag>
 std::vector<std::uint32_t> choose_samples(const Array<Point_3>& points, const Neighbor_graph& graph,
