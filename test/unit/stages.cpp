@@ -121,9 +121,7 @@ BOOST_AUTO_TEST_CASE(thin_parts_are_distinguished_from_noise)
     const std::vector<internal::Local_parameters> parts = {
         {layer, spacing, 60, 12, .6, {}, Diffusivity(0.)}};
     internal::Surface_state state = {{}, {}, {}, {}, parts, 0., {}};
-    state.normals.resize(points.size());
-    for (std::size_t i = 0; i < points.size(); ++i)
-      state.normals[i] = Vector_3(0, 0, 1);
+    state.normals.assign(internal::Array<Vector_3>(points.size(), Vector_3(0, 0, 1)));
     state.noise.assign(points.size(), float(layer / spacing));
     state.part_of.assign(points.size(), 0);
     const auto fit = [&](bool is_given) {

@@ -56,8 +56,6 @@ public:
     m_state.part_of = std::move(block.part_of);
     if (!uses_surface_estimate)
       return;
-    // first of all, since there may be room for it among what was freed: it is large
-    m_spare.reserve(block.points.size());
     m_state.noise = noise_of_points(block.noise, m_state);
     block.noise = Given_noise(); // memory
     take_given_sides(m_state, block.sides);
@@ -157,9 +155,7 @@ private:
     for (float& noise : m_state.noise)
       noise = (std::max)(noise, .1f);
     const Array<Vector_3> normals = find_normals();
-    m_state.normals.resize(normals.size());
-    for (std::size_t i = 0; i < normals.size(); ++i)
-      m_state.normals[i] = normals[i];
+    m_state.normals.assign(normals);
     const Array<Point_3> start = m_block.points;
     relax_along_surface(
         surface(start), m_plan.number_of_relaxation_steps,

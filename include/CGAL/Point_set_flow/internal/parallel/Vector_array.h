@@ -18,10 +18,12 @@ class Vector_array {
   Array<Compact_vector_3> m_vectors; // and one more
 
 public:
-  Vector_array() = default;
-  explicit Vector_array(std::size_t n) { resize(n); }
-  void reserve(std::size_t n) { m_vectors.reserve(n + 1); }
   void resize(std::size_t n) { m_vectors.resize(n + 1); }
+  void assign(const Array<Vector_3>& vectors)
+  {
+    m_vectors.assign(vectors.begin(), vectors.end());
+    m_vectors.emplace_back();
+  }
   bool empty() const { return m_vectors.empty(); }
   Compact_vector_3& operator[](std::size_t i) { return m_vectors[i]; }
   const Compact_vector_3& operator[](std::size_t i) const { return m_vectors[i]; }
