@@ -83,7 +83,7 @@ public:
 private:
   std::size_t most_neighbors(std::size_t i) const
   {
-    return (std::min)(m_options.k_of(i), m_tree.points().size() - 1);
+    return m_options.k_of(i, m_tree.points().size());
   }
 
   /// The points of a group have as many neighbors each.

@@ -53,7 +53,7 @@ public:
       : Neighbor_graph(
             n,
             [&](std::size_t i) {
-              return (std::min)(search.k_of(sites[std::ptrdiff_t(i)]), tree.points().size() - 1);
+              return search.k_of(sites[std::ptrdiff_t(i)], tree.points().size());
             },
             [&](std::size_t begin, std::size_t end, const auto& add) {
               Group_search find(tree, search);
@@ -164,7 +164,7 @@ private:
 
   bool is_enough(std::size_t i, const Search_options& search) const
   {
-    return search.k_of(i) <= size(i) || size(i) + 1 == number_of_points();
+    return search.k_of(i, number_of_points()) <= size(i);
   }
 
   /// Searches the neighbors of those points of a chunk that have too few.
@@ -172,8 +172,7 @@ private:
                     std::size_t end)
   {
     fill(
-        begin, end,
-        [&](std::size_t i) { return (std::min)(search.k_of(i), number_of_points() - 1); },
+        begin, end, [&](std::size_t i) { return search.k_of(i, number_of_points()); },
         [&](std::size_t, std::size_t, const auto& add) {
           Group_search find(tree, search);
           for (std::size_t i = begin; i < end;) {

@@ -6,6 +6,7 @@
 
 #include <CGAL/Point_set_flow/internal/parallel/Array.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -26,6 +27,8 @@ struct Search_options {
   {
     return k_of_parts.empty() ? k : k_of_parts[(*part_of)[site]];
   }
+  /// How many neighbors a site has among `n`.
+  std::size_t k_of(std::size_t site, std::size_t n) const { return (std::min)(k_of(site), n - 1); }
 };
 
 } // namespace internal
