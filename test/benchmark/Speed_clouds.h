@@ -74,6 +74,25 @@ inline Points difficult_cloud(const std::string& kind, std::size_t n)
     }
     return points;
   }
+  if (kind == "points over 40 decades") {
+    std::mt19937 random(1);
+    std::uniform_real_distribution<double> u(-1., 1.);
+    while (points.size() < n) {
+      const double size = std::pow(10., 20. * u(random)), x = size * u(random);
+      points.emplace_back(x, size * u(random), size * u(random));
+    }
+    return points;
+  }
+  if (kind == "a plane and a point far away") {
+    std::mt19937 random(1);
+    std::uniform_real_distribution<double> u(-1., 1.);
+    while (points.size() < n) {
+      const double y = u(random);
+      points.emplace_back(0., y, u(random));
+    }
+    points.back() = Point_3(1e9, 0., 0.);
+    return points;
+  }
   if (kind == "each point ten times") {
     const Points once = bumpy_sphere("uniform", n / 10);
     for (int i = 0; i < 10; ++i)

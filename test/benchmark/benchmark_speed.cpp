@@ -217,7 +217,8 @@ class Benchmark {
     for (const std::size_t n : m_settings.points) {
       double ordinary = 0.;
       for (const char* kind : {"ordinary", "identical points", "points on a line",
-                               "each point ten times", "a point far away"}) {
+                               "each point ten times", "a point far away",
+                               "a plane and a point far away", "points over 40 decades"}) {
         Points points = difficult_cloud(kind, n);
         const double seconds =
             measure(points, {"ours"}, m_settings.threads.front()).at("ours").seconds;

@@ -5,7 +5,6 @@
 
 #include "smoothed.h"
 
-#include <ctime>
 #include <map>
 
 namespace np = CGAL::parameters;
@@ -162,18 +161,7 @@ BOOST_AUTO_TEST_CASE(a_point_far_away_does_not_disturb_the_others)
   }
 }
 
-// ---- running time: clouds that are slow where trees are not balanced, or where distances are equal
-
-namespace {
-double seconds_for(Points points)
-{
-  const std::clock_t start = std::clock();
-  CGAL::balanced_flow_smooth_point_set<Sequential>(points, 24);
-  for (const auto& p : points)
-    BOOST_REQUIRE((std::isfinite(p.x()) && std::isfinite(p.y()) && std::isfinite(p.z())));
-  return double(std::clock() - start) / CLOCKS_PER_SEC;
-}
-} // namespace
+// ---- clouds for which trees are not balanced, or distances are equal
 
 // Scanners write pixels without a measurement as 0 0 0.
 BOOST_AUTO_TEST_CASE(copies_far_from_everything_stay_where_they_are)
@@ -193,22 +181,25 @@ BOOST_AUTO_TEST_CASE(copies_far_from_everything_stay_where_they_are)
   BOOST_TEST(report.number_of_moved_points > surface * 9 / 10);
 }
 
-BOOST_AUTO_TEST_CASE(adverse_clouds_take_no_longer_than_others)
+// How long these take is measured by `benchmark_speed --difficult`.
+BOOST_AUTO_TEST_CASE(adverse_clouds_stay_finite)
 {
+  typedef shapes::Point_3 P;
   const std::size_t n = 20000;
   std::mt19937 random(1);
   std::uniform_real_distribution<double> u(-1., 1.);
   std::normal_distribution<double> gauss(0., 1.);
-  const double usual = seconds_for(noisy_cube(58)); // as many points
   const auto check = [&](const char* what, const auto& point) {
     Points points;
     for (std::size_t i = 0; i < n; ++i)
       points.push_back(point(i));
-    const double seconds = seconds_for(points);
-    BOOST_TEST_MESSAGE(what << ": " << seconds / usual);
-    BOOST_TEST(seconds < 8. * usual, what << ": " << seconds << " s, others " << usual << " s");
+    BOOST_TEST_CONTEXT(what)
+    {
+      CGAL::balanced_flow_smooth_point_set<Sequential>(points, 24);
+      for (const P& p : points)
+        BOOST_REQUIRE((std::isfinite(p.x()) && std::isfinite(p.y()) && std::isfinite(p.z())));
+    }
   };
-  typedef shapes::Point_3 P;
   for (const double far : {1e3, -1e3, 1e9}) // a plane along two axes, and one point far from it
     check("plane and point",
           [&](std::size_t i) { return P(i == 7 ? far : 0., u(random), u(random)); });
