@@ -65,31 +65,29 @@ inline Points difficult_cloud(const std::string& kind, std::size_t n)
   if (kind == "identical points")
     return Points(n, Point_3(1., 2., 3.));
   Points points;
+  std::mt19937 random(1);
+  const auto fill = [&](const auto& point) {
+    while (points.size() < n)
+      points.push_back(point());
+  };
   if (kind == "points on a line") {
-    std::mt19937 random(1);
     std::uniform_real_distribution<double> along(0., 1.);
-    while (points.size() < n) {
+    fill([&] {
       const double t = along(random);
-      points.emplace_back(t, 2. * t, 3. * t);
-    }
+      return Point_3(t, 2. * t, 3. * t);
+    });
     return points;
   }
+  std::uniform_real_distribution<double> u(-1., 1.);
   if (kind == "points over 40 decades") {
-    std::mt19937 random(1);
-    std::uniform_real_distribution<double> u(-1., 1.);
-    while (points.size() < n) {
-      const double size = std::pow(10., 20. * u(random)), x = size * u(random);
-      points.emplace_back(x, size * u(random), size * u(random));
-    }
+    fill([&] {
+      const double size = std::pow(10., 20. * u(random));
+      return Point_3(size * u(random), size * u(random), size * u(random));
+    });
     return points;
   }
   if (kind == "a plane and a point far away") {
-    std::mt19937 random(1);
-    std::uniform_real_distribution<double> u(-1., 1.);
-    while (points.size() < n) {
-      const double y = u(random);
-      points.emplace_back(0., y, u(random));
-    }
+    fill([&] { return Point_3(0., u(random), u(random)); });
     points.back() = Point_3(1e9, 0., 0.);
     return points;
   }

@@ -56,9 +56,9 @@ public:
   void set(std::size_t i, const Vector_3& move)
   {
     m_last[i] = move * (1. / unit(i));
-    m_all[i] = Compact_vector_3(m_all[i].vector() + m_last[i].vector());
+    m_all[i] = m_all[i].vector() + m_last[i].vector();
     if (!m_since_update.empty())
-      m_since_update[i] = Compact_vector_3(m_since_update[i].vector() + m_last[i].vector());
+      m_since_update[i] = m_since_update[i].vector() + m_last[i].vector();
   }
   /// in the last step; null if there was none
   Vector_3 operator[](std::size_t i) const
@@ -81,7 +81,7 @@ public:
   /// Takes what moves a point after the last step.
   void add(std::size_t i, const Vector_3& move)
   {
-    m_all[i] = Compact_vector_3(m_all[i].vector() + move / unit(i));
+    m_all[i] = m_all[i].vector() + move / unit(i);
   }
 
   /// What took each point off the data, along its normal, in neighborhood radii
